@@ -1,1 +1,2 @@
-//! Under construction.
+//! Register descriptions.
+pub mod syntax;
