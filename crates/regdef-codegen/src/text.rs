@@ -135,6 +135,11 @@ pub(crate) fn conflicts(model: &Model, about: impl Fn(&Target) -> bool) -> Vec<S
         .collect()
 }
 
+/// The lowest `width` bits.
+pub(crate) const fn ones(width: u32) -> u64 {
+    if width >= 64 { u64::MAX } else { (1 << width) - 1 }
+}
+
 /// The part of a label before `{n}` and the part after it; without `{n}`, everything is before it.
 pub(crate) fn split_label(label: &str) -> (&str, &str) {
     label.split_once("{n}").unwrap_or((label, ""))
