@@ -100,6 +100,7 @@ pub fn device(model: &Model) -> Result<Device, Error> {
         .default_register_properties(properties)
         .peripherals(peripheral::all(model, &mut Shared::default())?)
         .schema_version("1.3.9".to_owned())
+        .no_namespace_schema_location("CMSIS-SVD.xsd".to_owned())
         .build(LEVEL)
         .at(&model.names.id)
 }

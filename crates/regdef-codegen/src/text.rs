@@ -1,6 +1,6 @@
 //! Text that several emitters put into comments, descriptions and cells.
 
-use regdef::model::{Cite, ConditionId, Encoding, Field, Model, OnRead, ReadEffect, Register, Target};
+use regdef::model::{AccessCode, Cite, ConditionId, Encoding, Field, Model, OnRead, ReadEffect, Register, Target};
 
 /// Citations in one line: `§2.3.7 p.11; external: KEY`.
 pub(crate) fn cites(cites: &[Cite]) -> String {
@@ -47,7 +47,11 @@ pub(crate) fn sentence(text: &str) -> String {
 
 /// What is to be known about accesses to a field beyond its description, one sentence each.
 pub(crate) fn access_notes(model: &Model, field: &Field) -> Vec<String> {
-    let mut notes = vec![format!("Access {}: {}", notation(model, field), field.access.code.meaning())];
+    let code = field.access.code;
+    let mut notes = vec![format!("Access {}.", notation(model, field))];
+    if !matches!(code, AccessCode::Rw | AccessCode::Ro | AccessCode::Wo) {
+        notes.push(code.meaning().to_owned());
+    }
     let shown = |id: ConditionId| {
         let condition = model.condition(id);
         if condition.named { format!("{} ({})", condition.name, condition.text) } else { condition.text.clone() }
@@ -120,24 +124,11 @@ pub(crate) fn register_notes(model: &Model, register: &Register) -> Vec<String> 
     notes
 }
 
-/// Contradictions of the manual about one target, with what is taken.
-pub(crate) fn conflicts(model: &Model, about: impl Fn(&Target) -> bool) -> Vec<String> {
+/// Names of the manual's contradictions about one target, as one sentence; empty if there are none.
+pub(crate) fn conflicts(model: &Model, about: impl Fn(&Target) -> bool) -> String {
     let concerned = model.conflicts.iter().filter(|conflict| conflict.at.iter().any(&about));
-    concerned
-        .map(|conflict| {
-            format!(
-                "The manual contradicts itself ({}): {} Taken: {}",
-                conflict.id,
-                sentence(&conflict.what),
-                sentence(&conflict.taken)
-            )
-        })
-        .collect()
-}
-
-/// The lowest `width` bits.
-pub(crate) const fn ones(width: u32) -> u64 {
-    if width >= 64 { u64::MAX } else { (1 << width) - 1 }
+    let names: Vec<&str> = concerned.map(|conflict| conflict.id.as_str()).collect();
+    if names.is_empty() { String::new() } else { format!("Contradictions of the manual: {}.", names.join(", ")) }
 }
 
 /// The part of a label before `{n}` and the part after it; without `{n}`, everything is before it.

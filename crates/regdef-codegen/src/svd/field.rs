@@ -85,7 +85,7 @@ fn constraint(field: &Field, enumerated: bool) -> Option<WriteConstraint> {
 fn description(model: &Model, register: &Register, field: &Field) -> String {
     let mut sentences = vec![text::sentence(&field.doc)];
     sentences.extend(text::access_notes(model, field));
-    sentences.extend(text::conflicts(model, |target| {
+    sentences.push(text::conflicts(model, |target| {
         matches!(target, Target::Field(at) if std::ptr::eq(model.field(*at), field))
     }));
     if field.cites != register.cites {

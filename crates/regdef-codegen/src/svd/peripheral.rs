@@ -119,7 +119,7 @@ fn cluster(model: &Model, shared: &mut Shared, id: ClusterId) -> Result<Register
     }
     shared.leave();
     let mut sentences = vec![text::sentence(&cluster.title), text::sentence(&cluster.doc)];
-    sentences.extend(text::conflicts(model, |target| *target == Target::Cluster(id)));
+    sentences.push(text::conflicts(model, |target| *target == Target::Cluster(id)));
     sentences.push(text::sentence(&text::cites(&cluster.cites)));
     let info = ClusterInfo::builder()
         .name(name)

@@ -1,6 +1,6 @@
 //! Registers.
 
-use regdef::model::{Model, Register, RegisterId, Target};
+use regdef::model::{Model, Register, RegisterId, Target, bit_mask};
 use svd_rs::{Access, DimElement, RegisterInfo, RegisterProperties};
 
 use super::enums::Shared;
@@ -57,7 +57,7 @@ pub(super) fn build(
         .map(|of| field::build(model, shared, register, of, place.position))
         .collect::<Result<Vec<_>, _>>()?;
     shared.leave();
-    let mask = text::ones(register.width) & !register.reset.unknown;
+    let mask = bit_mask(0, register.width) & !register.reset.unknown;
     let properties = RegisterProperties::new()
         .size(Some(register.width))
         .access(Some(access(register)))
@@ -92,7 +92,7 @@ fn description(model: &Model, id: RegisterId) -> String {
             sentences.push(format!("Part of the {} bit value {}.", joined.width, joined.name));
         }
     }
-    sentences.extend(text::conflicts(model, |target| *target == Target::Register(id)));
+    sentences.push(text::conflicts(model, |target| *target == Target::Register(id)));
     sentences.push(text::sentence(&text::cites(&register.cites)));
     join(sentences)
 }
