@@ -12,6 +12,8 @@ mod like;
 mod memory;
 mod registers;
 
+pub(crate) use registers::bit_list;
+
 use std::collections::HashMap;
 
 use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
@@ -154,13 +156,13 @@ impl Lowering<'_> {
                     .help(format!("declare it under `sources: {{{key}: {{title: ...}}}}`")),
                 );
             }
-            None if [&cite.section, &cite.register, &cite.table, &cite.figure, &cite.example, &cite.equation]
+            None if [&cite.section, &cite.register, &cite.table, &cite.figure, &cite.example, &cite.equation, &cite.note]
                 .iter()
                 .all(|part| part.is_none()) =>
             {
                 self.find(
                     Diagnostic::new(Code::VagueCitation, Spot::Value(place.clone()), "the citation names no place")
-                        .help("give a section, register, table, figure, example or equation of the manual, or a source"),
+                        .help("give a section, register, table, figure, example or equation of the manual, a source, or a note"),
                 );
             }
             _ => {}

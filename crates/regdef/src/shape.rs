@@ -123,7 +123,7 @@ fn wrong_type(at: &Path, found: &Value) -> Diagnostic {
         Value::Array(_) => "a list".to_owned(),
         other => plain(other),
     };
-    let quote = matches!(found, Value::Number(n) if n.is_f64()).then(|| format!("quote it to make it text: \"{found}\""));
+    let quote = matches!(found, Value::Number(_)).then(|| "where text is wanted, a number has to be quoted".to_owned());
     Diagnostic::new(Code::WrongType, Spot::Value(at.clone()), format!("{what} is no value of `{}`", at.last()))
         .maybe_help(quote)
 }

@@ -3,7 +3,7 @@
 use super::Lowering;
 use super::expression::{Literal, Parsed, parse};
 use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
-use crate::model::{Comparison, Condition, ConditionId, Expr, FieldRef, LaneIndex};
+use crate::model::{Comparison, Condition, ConditionId, Expr, Field, FieldRef, LaneIndex, MessageId};
 use crate::path::Path;
 use crate::syntax;
 
@@ -81,7 +81,7 @@ impl Lowering<'_> {
             syntax::Condition::Full(full) => (&full.expression, at.key("expression")),
         };
         let expr = self.parse_condition(text, &at).and_then(|parsed| {
-            self.resolve(&parsed, &at, &mut |this, name| match this.condition_names.get(name).copied() {
+            self.resolve(&parsed, None, &at, &mut |this, name| match this.condition_names.get(name).copied() {
                 Some(id) => this.resolve_named(id.0, states, trail),
                 None => this.unknown_condition(name, &at),
             })
@@ -118,18 +118,23 @@ impl Lowering<'_> {
 
     /// The condition that a field names or writes out.
     pub(crate) fn condition_ref(&mut self, text: &str, at: &Path) -> Option<ConditionId> {
+        self.condition_in(None, text, at)
+    }
+
+    /// The same inside a message, where `WORD.FIELD` names a field of the message's own words.
+    pub(super) fn condition_in(&mut self, message: Option<MessageId>, text: &str, at: &Path) -> Option<ConditionId> {
         if let Some(id) = self.condition_names.get(text) {
             return Some(*id);
         }
-        let known = self.out.model.conditions.iter().position(|c| !c.named && c.text == text);
-        if let Some(index) = known {
-            return Some(ConditionId(index));
-        }
         let parsed = self.parse_condition(text, at)?;
-        let expr = self.resolve(&parsed, at, &mut |this, name| match this.condition_names.get(name).copied() {
+        let expr = self.resolve(&parsed, message, at, &mut |this, name| match this.condition_names.get(name).copied() {
             Some(id) => Some(this.out.model.conditions[id.0].expr.clone()),
             None => this.unknown_condition(name, at),
         })?;
+        let known = self.out.model.conditions.iter().position(|c| !c.named && c.text == text && c.expr == expr);
+        if let Some(index) = known {
+            return Some(ConditionId(index));
+        }
         let id = ConditionId(self.out.model.conditions.len());
         self.out.model.conditions.push(Condition {
             name: text.to_owned(),
@@ -146,36 +151,48 @@ impl Lowering<'_> {
     fn resolve(
         &mut self,
         parsed: &Parsed,
+        message: Option<MessageId>,
         at: &Path,
         named: &mut dyn FnMut(&mut Self, &str) -> Option<Expr>,
     ) -> Option<Expr> {
         let mut list = |this: &mut Self, of: &[Parsed]| -> Option<Vec<Expr>> {
-            let resolved: Vec<_> = of.iter().map(|p| this.resolve(p, at, named)).collect();
+            let resolved: Vec<_> = of.iter().map(|p| this.resolve(p, message, at, named)).collect();
             resolved.into_iter().collect()
         };
         match parsed {
-            Parsed::Not(inner) => Some(Expr::Not(Box::new(self.resolve(inner, at, named)?))),
+            Parsed::Not(inner) => Some(Expr::Not(Box::new(self.resolve(inner, message, at, named)?))),
             Parsed::All(of) => Some(Expr::All(list(self, of)?)),
             Parsed::Any(of) => Some(Expr::Any(list(self, of)?)),
             Parsed::Name(name) => named(self, name),
             Parsed::Compare { register, field, index, comparison, value } => {
+                if let Some(found) = self.word_field(message, register, field) {
+                    let (message, word, field) = found;
+                    let target = self.out.model.messages[message.0].words[word].fields[field].clone();
+                    let value = self.literal(&target, &format!("{register}.{}", target.name), value, at)?;
+                    let (comparison, value) = plain(*comparison, value, target.width);
+                    return Some(Expr::Word { message, word, field, comparison, value });
+                }
                 let id = self.register_ref(register, at)?;
                 let field = self.field_of(id, field, at)?;
-                let value = self.literal(field, value, at)?;
-                let width = self.out.model.field(field).width;
-                let (comparison, value) = match (comparison, value, width) {
-                    (Comparison::NotEqual, 0, 1) => (Comparison::Equal, 1),
-                    (comparison, value, _) => (*comparison, value),
-                };
+                let target = self.out.model.field(field).clone();
+                let value = self.literal(&target, &self.out.model.field_path(field), value, at)?;
+                let (comparison, value) = plain(*comparison, value, target.width);
                 self.check_lane(field, *index, at);
                 Some(Expr::Compare { field, index: *index, comparison, value })
             }
         }
     }
 
-    fn literal(&mut self, field: FieldRef, value: &Literal, at: &Path) -> Option<u64> {
-        let target = self.out.model.field(field);
-        let (path, capacity) = (self.out.model.field_path(field), target.capacity());
+    /// The place of `WORD.FIELD` in a message.
+    fn word_field(&self, message: Option<MessageId>, word: &str, field: &str) -> Option<(MessageId, usize, usize)> {
+        let id = message?;
+        let words = &self.out.model.messages[id.0].words;
+        let word = words.iter().position(|w| w.name == word)?;
+        Some((id, word, words[word].fields.iter().position(|f| f.name == field)?))
+    }
+
+    fn literal(&mut self, target: &Field, path: &str, value: &Literal, at: &Path) -> Option<u64> {
+        let capacity = target.capacity();
         match value {
             Literal::Number(number) if *number <= capacity => Some(*number),
             Literal::Number(number) => {
@@ -245,5 +262,13 @@ impl Lowering<'_> {
         if let Some(title) = title {
             self.find(Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), title));
         }
+    }
+}
+
+/// "Is not 0" of a single bit is "is 1".
+fn plain(comparison: Comparison, value: u64, width: u32) -> (Comparison, u64) {
+    match (comparison, value, width) {
+        (Comparison::NotEqual, 0, 1) => (Comparison::Equal, 1),
+        other => (other.0, other.1),
     }
 }

@@ -30,6 +30,8 @@ pub(crate) struct PendingRules {
 /// What a field takes from its register or word.
 pub(super) struct Outer<'a> {
     pub name: &'a str,
+    /// What the names of the fields' own enumerations start with.
+    pub enum_prefix: &'a str,
     pub at: &'a Path,
     pub width: u32,
     pub access: Option<AccessCode>,
@@ -279,7 +281,7 @@ impl Lowering<'_> {
                 }
             },
             (None, Some(values)) => {
-                let enum_name = format!("{}_{name}", outer.name);
+                let enum_name = format!("{}_{}", outer.enum_prefix, text.name.as_deref().unwrap_or(name));
                 self.add_enum(&enum_name, false, String::new(), outer.cites.to_vec(), values, &at.key("values"))
             }
             (None, None) => return plain,

@@ -87,6 +87,14 @@ impl Lowering<'_> {
                 origins.push(origin);
             }
         }
+        self.out.model.messages[id.0].words.clone_from(&message.words);
+        for (word_name, word) in &text.words {
+            let at = at.key("words").key(word_name).key("present_when");
+            let condition = word.present_when.as_ref().and_then(|c| self.condition_in(Some(id), c, &at));
+            if let Some(word) = message.words.iter_mut().find(|w| w.name == *word_name) {
+                word.present_when = condition;
+            }
+        }
         message.payload = text.payload.as_ref().map(|p| self.payload(p, &at.key("payload"), &cites)).or(message.payload);
         let last = message.words.iter().map(|w| w.offset + u64::from(word_width / 8)).max().unwrap_or(0);
         message.header_bytes = message.payload.as_ref().map_or(last, |p| p.offset);
@@ -114,10 +122,11 @@ impl Lowering<'_> {
         self.check_identifier(name, at);
         let own_cites = self.cite(text.cite.as_ref(), at);
         let cites = if own_cites.is_empty() { outer_cites.to_vec() } else { own_cites };
-        let present_when = text.present_when.as_ref().and_then(|c| self.condition_ref(c, &at.key("present_when")));
         let base = text.like.as_ref().and_then(|like| self.word_ref(like, id, &at.key("like")));
+        let enum_prefix = format!("{}_{name}", message.name);
         let outer = Outer {
             name,
+            enum_prefix: &enum_prefix,
             at,
             width: message.word_width,
             access: Some(AccessCode::Rw),
@@ -148,7 +157,7 @@ impl Lowering<'_> {
         fields.extend(own);
         paths.extend(own_paths);
         let ident = Ident::new(&format!("{}_{name}", message.name));
-        let word = Word { name: name.to_owned(), ident, same_as, offset: text.offset.0, doc, cites, present_when, fields };
+        let word = Word { name: name.to_owned(), ident, same_as, offset: text.offset.0, doc, cites, present_when: None, fields };
         // Rules of the fields look the word up in the model.
         let known = &mut self.out.model.messages[id.0];
         if position < known.words.len() {
@@ -274,13 +283,16 @@ impl Lowering<'_> {
                     .help("words may share an offset if each says `present_when` it has this layout"),
                 );
             }
-            if let Some(payload) = &message.payload
-                && word.offset + bytes > payload.offset
-            {
-                self.find(
-                    Diagnostic::new(Code::RegisterOverlap, place, format!("`{}` reaches into the payload", word.name))
-                        .also(Spot::Value(at.key("payload").key("offset")), "the payload starts here"),
-                );
+            if let Some(payload) = &message.payload {
+                let end = payload.offset + u64::from(payload.sizes.iter().copied().max().unwrap_or(0));
+                let behind = word.offset >= end && payload.sizes.len() == 1;
+                if word.offset + bytes > payload.offset && !behind {
+                    self.find(
+                        Diagnostic::new(Code::RegisterOverlap, place, format!("`{}` reaches into the payload", word.name))
+                            .also(Spot::Value(at.key("payload").key("offset")), "the payload starts here")
+                            .help("a word can follow the payload only if the payload has one size"),
+                    );
+                }
             }
         }
     }

@@ -115,6 +115,7 @@ impl Lowering<'_> {
         }
         let outer = Outer {
             name,
+            enum_prefix: text.name.as_deref().unwrap_or(name),
             at,
             width,
             access: text.access,
