@@ -20,7 +20,6 @@ pub(crate) const OPERATION_MODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-2; §4.0 p.53
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum OperationMode {
     /// 0: On the bus with CAN FD and CAN 2.0 frames.
@@ -63,6 +62,7 @@ impl OperationMode {
         self as u8
     }
 }
+regbus::enumeration!(OperationMode, OPERATION_MODE_VALUES);
 pub(crate) const PAYLOAD_SIZE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "payload_size",
     values: &[
@@ -83,7 +83,6 @@ pub(crate) const PAYLOAD_SIZE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-30; Register 3-33
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum PayloadSize {
     /// 0: `bytes_8`
@@ -126,6 +125,7 @@ impl PayloadSize {
         self as u8
     }
 }
+regbus::enumeration!(PayloadSize, PAYLOAD_SIZE_VALUES);
 pub(crate) const RETRANSMISSION_ATTEMPTS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "retransmission_attempts",
     values: &[(0, 0, "disabled"), (1, 1, "three"), (2, 3, "unlimited")],
@@ -137,7 +137,6 @@ pub(crate) const RETRANSMISSION_ATTEMPTS_VALUES: &regbus::meta::Enum = &regbus::
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-30; Register 3-33; §6.9
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum RetransmissionAttempts {
     /// 0: One attempt; lost arbitration counts as failure.
     Disabled,
@@ -179,6 +178,7 @@ impl RetransmissionAttempts {
         }
     }
 }
+regbus::enumeration!(RetransmissionAttempts, RETRANSMISSION_ATTEMPTS_VALUES);
 pub(crate) const DATA_LENGTH_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_length_code",
     values: &[
@@ -205,7 +205,6 @@ pub(crate) const DATA_LENGTH_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::E
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 2-1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum DataLengthCode {
     /// 0: `bytes_0`
@@ -272,6 +271,7 @@ impl DataLengthCode {
         self as u8
     }
 }
+regbus::enumeration!(DataLengthCode, DATA_LENGTH_CODE_VALUES);
 pub(crate) const FILTER_NUMBER_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "filter_number",
     values: &[(0, 31, "filter")],
@@ -283,7 +283,6 @@ pub(crate) const FILTER_NUMBER_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-13; Table 9-1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum FilterNumber {
     /// 0 to 31: Filter n. It holds the value itself.
     Filter(u8),
@@ -317,6 +316,7 @@ impl FilterNumber {
         }
     }
 }
+regbus::enumeration!(FilterNumber, FILTER_NUMBER_VALUES);
 pub(crate) const ERROR_STATE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "error_state",
     values: &[(0, 0, "error_active"), (1, 1, "error_passive")],
@@ -326,7 +326,6 @@ pub(crate) const ERROR_STATE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §9.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ErrorState {
     /// 0: `error_active`
@@ -351,6 +350,7 @@ impl ErrorState {
         self as u8
     }
 }
+regbus::enumeration!(ErrorState, ERROR_STATE_VALUES);
 pub(crate) const FRAME_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "frame_format",
     values: &[(0, 0, "can_2_0"), (1, 1, "can_fd")],
@@ -360,7 +360,6 @@ pub(crate) const FRAME_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, §6.1; §9.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FrameFormat {
     /// 0: `can_2_0`
@@ -385,6 +384,7 @@ impl FrameFormat {
         self as u8
     }
 }
+regbus::enumeration!(FrameFormat, FRAME_FORMAT_VALUES);
 pub(crate) const DATA_PHASE_RATE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_phase_rate",
     values: &[(0, 0, "nominal"), (1, 1, "data")],
@@ -394,7 +394,6 @@ pub(crate) const DATA_PHASE_RATE_VALUES: &regbus::meta::Enum = &regbus::meta::En
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, §6.1; §9.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum DataPhaseRate {
     /// 0: `nominal`
@@ -419,6 +418,7 @@ impl DataPhaseRate {
         self as u8
     }
 }
+regbus::enumeration!(DataPhaseRate, DATA_PHASE_RATE_VALUES);
 pub(crate) const IDENTIFIER_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "identifier_format",
     values: &[(0, 0, "base"), (1, 1, "extended")],
@@ -428,7 +428,6 @@ pub(crate) const IDENTIFIER_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, §6.1; §9.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum IdentifierFormat {
     /// 0: `base`
@@ -453,6 +452,7 @@ impl IdentifierFormat {
         self as u8
     }
 }
+regbus::enumeration!(IdentifierFormat, IDENTIFIER_FORMAT_VALUES);
 pub(crate) const CON_L_WFT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_l_WFT",
     values: &[
@@ -469,7 +469,6 @@ pub(crate) const CON_L_WFT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConLWft {
     /// 0: `t00_filter`
@@ -500,6 +499,7 @@ impl ConLWft {
         self as u8
     }
 }
+regbus::enumeration!(ConLWft, CON_L_WFT_VALUES);
 pub(crate) const CON_L_CLKSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_l_CLKSEL",
     values: &[(0, 0, "can_clock_generator"), (1, 1, "auxiliary_clock")],
@@ -511,7 +511,6 @@ pub(crate) const CON_L_CLKSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConLClksel {
     /// 0: `can_clock_generator`
@@ -536,6 +535,7 @@ impl ConLClksel {
         self as u8
     }
 }
+regbus::enumeration!(ConLClksel, CON_L_CLKSEL_VALUES);
 pub(crate) const CON_L_PXEDIS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_l_PXEDIS",
     values: &[(0, 0, "bus_integration"), (1, 1, "form_error")],
@@ -547,7 +547,6 @@ pub(crate) const CON_L_PXEDIS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConLPxedis {
     /// 0: Detection enabled: the module goes to bus integration, the error counters do not change.
@@ -572,6 +571,7 @@ impl ConLPxedis {
         self as u8
     }
 }
+regbus::enumeration!(ConLPxedis, CON_L_PXEDIS_VALUES);
 pub(crate) const CON_L_ISOCRCEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_l_ISOCRCEN",
     values: &[(0, 0, "non_iso"), (1, 1, "iso_11898_1")],
@@ -583,7 +583,6 @@ pub(crate) const CON_L_ISOCRCEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConLIsocrcen {
     /// 0: No stuff count in the CRC field, CRC register starts with zeros.
@@ -608,6 +607,7 @@ impl ConLIsocrcen {
         self as u8
     }
 }
+regbus::enumeration!(ConLIsocrcen, CON_L_ISOCRCEN_VALUES);
 pub(crate) const CON_L_DNCNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_l_DNCNT",
     values: &[(0, 0, "none"), (1, 18, "bits")],
@@ -621,7 +621,6 @@ pub(crate) const CON_L_DNCNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum ConLDncnt {
     /// 0: Data bytes are not compared.
     None_,
@@ -659,6 +658,7 @@ impl ConLDncnt {
         }
     }
 }
+regbus::enumeration!(ConLDncnt, CON_L_DNCNT_VALUES);
 pub(crate) const CON_H_TXBWS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_h_TXBWS",
     values: &[
@@ -684,7 +684,6 @@ pub(crate) const CON_H_TXBWS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-2; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum ConHTxbws {
     /// 0: `no_delay`
     NoDelay,
@@ -766,6 +765,7 @@ impl ConHTxbws {
         }
     }
 }
+regbus::enumeration!(ConHTxbws, CON_H_TXBWS_VALUES);
 pub(crate) const CON_H_SERRLOM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_h_SERRLOM",
     values: &[(0, 0, "restricted_operation"), (1, 1, "listen_only")],
@@ -777,7 +777,6 @@ pub(crate) const CON_H_SERRLOM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-2; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConHSerrlom {
     /// 0: `restricted_operation`
@@ -802,6 +801,7 @@ impl ConHSerrlom {
         self as u8
     }
 }
+regbus::enumeration!(ConHSerrlom, CON_H_SERRLOM_VALUES);
 pub(crate) const CON_H_ESIGM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_h_ESIGM",
     values: &[(0, 0, "error_state"), (1, 1, "gateway")],
@@ -813,7 +813,6 @@ pub(crate) const CON_H_ESIGM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-2; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConHEsigm {
     /// 0: ESI shows the error state of this controller; ESI in the message object is ignored.
@@ -838,6 +837,7 @@ impl ConHEsigm {
         self as u8
     }
 }
+regbus::enumeration!(ConHEsigm, CON_H_ESIGM_VALUES);
 pub(crate) const CON_H_RTXAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "con_h_RTXAT",
     values: &[(0, 0, "unlimited"), (1, 1, "restricted")],
@@ -849,7 +849,6 @@ pub(crate) const CON_H_RTXAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-2; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ConHRtxat {
     /// 0: Unlimited attempts; TXAT of the queue and the FIFOs is ignored.
@@ -874,6 +873,7 @@ impl ConHRtxat {
         self as u8
     }
 }
+regbus::enumeration!(ConHRtxat, CON_H_RTXAT_VALUES);
 pub(crate) const TDC_H_TDCMOD_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "tdc_h_TDCMOD",
     values: &[(0, 0, "disabled"), (1, 1, "manual"), (2, 3, "automatic")],
@@ -885,7 +885,6 @@ pub(crate) const TDC_H_TDCMOD_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-8; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum TdcHTdcmod {
     /// 0: No compensation.
     Disabled,
@@ -927,6 +926,7 @@ impl TdcHTdcmod {
         }
     }
 }
+regbus::enumeration!(TdcHTdcmod, TDC_H_TDCMOD_VALUES);
 pub(crate) const TSCON_H_TSRES_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "tscon_h_TSRES",
     values: &[(0, 0, "start_of_frame"), (1, 1, "after_fdf")],
@@ -938,7 +938,6 @@ pub(crate) const TSCON_H_TSRES_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-12; §11.0 p.108; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TsconHTsres {
     /// 0: Sample point of the start-of-frame bit.
@@ -963,6 +962,7 @@ impl TsconHTsres {
         self as u8
     }
 }
+regbus::enumeration!(TsconHTsres, TSCON_H_TSRES_VALUES);
 pub(crate) const TSCON_H_TSEOF_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "tscon_h_TSEOF",
     values: &[(0, 0, "beginning"), (1, 1, "valid")],
@@ -974,7 +974,6 @@ pub(crate) const TSCON_H_TSEOF_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-12; §11.0 p.108; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TsconHTseof {
     /// 0: At the sample point of start of frame; CAN FD frames as TSRES says.
@@ -999,6 +998,7 @@ impl TsconHTseof {
         self as u8
     }
 }
+regbus::enumeration!(TsconHTseof, TSCON_H_TSEOF_VALUES);
 pub(crate) const VEC_L_ICODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "vec_l_ICODE",
     values: &[
@@ -1025,7 +1025,6 @@ pub(crate) const VEC_L_ICODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-13; §12.4.1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum VecLIcode {
     /// 0 to 31: FIFO n, where 0 is the transmit queue (TFIFn or RFIFn is set; 0 only TFIF0). It holds the value itself.
     Fifo(u8),
@@ -1103,6 +1102,7 @@ impl VecLIcode {
         }
     }
 }
+regbus::enumeration!(VecLIcode, VEC_L_ICODE_VALUES);
 pub(crate) const VEC_H_RXCODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "vec_h_RXCODE",
     values: &[(1, 31, "fifo"), (64, 64, "none")],
@@ -1116,7 +1116,6 @@ pub(crate) const VEC_H_RXCODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-14; §12.4.1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum VecHRxcode {
     /// 1 to 31: FIFO n (RFIFn is set). It holds the value itself.
     Fifo(u8),
@@ -1158,6 +1157,7 @@ impl VecHRxcode {
         }
     }
 }
+regbus::enumeration!(VecHRxcode, VEC_H_RXCODE_VALUES);
 pub(crate) const VEC_H_TXCODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "vec_h_TXCODE",
     values: &[(0, 31, "fifo"), (64, 64, "none")],
@@ -1171,7 +1171,6 @@ pub(crate) const VEC_H_TXCODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-14; §12.4.1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum VecHTxcode {
     /// 0 to 31: FIFO n, where 0 is the transmit queue (TFIFn is set). It holds the value itself.
     Fifo(u8),
@@ -1213,6 +1212,7 @@ impl VecHTxcode {
         }
     }
 }
+regbus::enumeration!(VecHTxcode, VEC_H_TXCODE_VALUES);
 pub(crate) const FLT_CON_FBP_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "flt_con_FBP",
     values: &[(0, 0, "transmit_queue"), (1, 31, "fifo")],
@@ -1224,7 +1224,6 @@ pub(crate) const FLT_CON_FBP_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-50; Register 3-51; §8.1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum FltConFbp {
     /// 0: Reserved: the transmit queue cannot receive. The value after reset; point to a FIFO before enabling the filter.
     TransmitQueue,
@@ -1258,6 +1257,7 @@ impl FltConFbp {
         }
     }
 }
+regbus::enumeration!(FltConFbp, FLT_CON_FBP_VALUES);
 pub(crate) const CANCLKCON_CANCLKSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CANCLKCON_CANCLKSEL",
     values: &[
@@ -1283,7 +1283,6 @@ pub(crate) const CANCLKCON_CANCLKSEL_VALUES: &regbus::meta::Enum = &regbus::meta
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 5-1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum CanclkconCanclksel {
     /// 0: `none`
@@ -1339,6 +1338,7 @@ impl CanclkconCanclksel {
         self as u8
     }
 }
+regbus::enumeration!(CanclkconCanclksel, CANCLKCON_CANCLKSEL_VALUES);
 pub(crate) const FIFO_CON_L_TXEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "fifo_con_l_TXEN",
     values: &[(0, 0, "receive"), (1, 1, "transmit")],
@@ -1350,7 +1350,6 @@ pub(crate) const FIFO_CON_L_TXEN_VALUES: &regbus::meta::Enum = &regbus::meta::En
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-32; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FifoConLTxen {
     /// 0: `receive`
@@ -1375,6 +1374,7 @@ impl FifoConLTxen {
         self as u8
     }
 }
+regbus::enumeration!(FifoConLTxen, FIFO_CON_L_TXEN_VALUES);
 pub(crate) const FLT_OBJ_H_EXIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "flt_obj_h_EXIDE",
     values: &[(0, 0, "standard"), (1, 1, "extended")],
@@ -1386,7 +1386,6 @@ pub(crate) const FLT_OBJ_H_EXIDE_VALUES: &regbus::meta::Enum = &regbus::meta::En
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-53 p.51; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FltObjHExide {
     /// 0: `standard`
@@ -1411,6 +1410,7 @@ impl FltObjHExide {
         self as u8
     }
 }
+regbus::enumeration!(FltObjHExide, FLT_OBJ_H_EXIDE_VALUES);
 pub(crate) const MASK_H_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "mask_h_MIDE",
     values: &[(0, 0, "either"), (1, 1, "as_exide")],
@@ -1422,7 +1422,6 @@ pub(crate) const MASK_H_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-55 p.52; external: mcp251xfd (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum MaskHMide {
     /// 0: Standard and extended frames match if the identifiers do.
@@ -1447,3 +1446,4 @@ impl MaskHMide {
         self as u8
     }
 }
+regbus::enumeration!(MaskHMide, MASK_H_MIDE_VALUES);

@@ -20,7 +20,6 @@ pub(crate) const OPERATION_MODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-23 p.30
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum OperationMode {
     /// 0: Transmits and receives.
@@ -61,6 +60,7 @@ impl OperationMode {
         self as u8
     }
 }
+regbus::enumeration!(OperationMode, OPERATION_MODE_VALUES);
 pub(crate) const MASK_SOURCE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "mask_source",
     values: &[(0, 0, "mask_0"), (1, 1, "mask_1"), (2, 2, "mask_2")],
@@ -74,7 +74,6 @@ pub(crate) const MASK_SOURCE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-8 p.19; Table 9-1 p.52
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum MaskSource {
     /// 0: Acceptance mask 0.
@@ -106,6 +105,7 @@ impl MaskSource {
         self as u8
     }
 }
+regbus::enumeration!(MaskSource, MASK_SOURCE_VALUES);
 pub(crate) const FILTER_TARGET_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "filter_target",
     values: &[(0, 14, "buffer"), (15, 15, "fifo")],
@@ -117,7 +117,6 @@ pub(crate) const FILTER_TARGET_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-10 p.20; §9.2.1 p.56
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum FilterTarget {
     /// 0 to 14: Message buffer of this number. It holds the value itself.
     Buffer(u8),
@@ -155,6 +154,7 @@ impl FilterTarget {
         }
     }
 }
+regbus::enumeration!(FilterTarget, FILTER_TARGET_VALUES);
 pub(crate) const FIFO_BUFFER_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "fifo_buffer",
     values: &[(0, 7, "trb"), (8, 31, "rb")],
@@ -168,7 +168,6 @@ pub(crate) const FIFO_BUFFER_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-19 p.26
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum FifoBuffer {
     /// 0 to 7: Transmit or receive buffer of this number. It holds the value itself.
     Trb(u8),
@@ -209,6 +208,7 @@ impl FifoBuffer {
         }
     }
 }
+regbus::enumeration!(FifoBuffer, FIFO_BUFFER_VALUES);
 pub(crate) const TX_PRIORITY_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "tx_priority",
     values: &[
@@ -225,7 +225,6 @@ pub(crate) const TX_PRIORITY_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §8.1 p.43
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TxPriority {
     /// 0: Lowest priority.
@@ -256,6 +255,7 @@ impl TxPriority {
         self as u8
     }
 }
+regbus::enumeration!(TxPriority, TX_PRIORITY_VALUES);
 pub(crate) const BUFFER_COUNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "buffer_count",
     values: &[
@@ -277,7 +277,6 @@ pub(crate) const BUFFER_COUNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §9.3 p.57; external: faq\_665; external: driver\_dmabs
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum BufferCount {
     /// 0: 4 buffers.
@@ -321,6 +320,7 @@ impl BufferCount {
         self as u8
     }
 }
+regbus::enumeration!(BufferCount, BUFFER_COUNT_VALUES);
 pub(crate) const INTERRUPT_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "interrupt_code",
     values: &[
@@ -342,7 +342,6 @@ pub(crate) const INTERRUPT_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, external: driver\_icode; §12.3 p.69
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum InterruptCode {
     /// 0 to 7: Transmit or receive buffer of this number. It holds the value itself.
     Trb(u8),
@@ -411,6 +410,7 @@ impl InterruptCode {
         }
     }
 }
+regbus::enumeration!(InterruptCode, INTERRUPT_CODE_VALUES);
 pub(crate) const IDENTIFIER_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "identifier_format",
     values: &[(0, 0, "standard"), (1, 1, "extended")],
@@ -422,7 +422,6 @@ pub(crate) const IDENTIFIER_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-4 p.17; §2.0 p.4
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum IdentifierFormat {
     /// 0: 11-bit identifier.
@@ -447,6 +446,7 @@ impl IdentifierFormat {
         self as u8
     }
 }
+regbus::enumeration!(IdentifierFormat, IDENTIFIER_FORMAT_VALUES);
 pub(crate) const CTRL1_WIN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CTRL1_WIN",
     values: &[(0, 0, "buffer"), (1, 1, "filter")],
@@ -458,7 +458,6 @@ pub(crate) const CTRL1_WIN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-23 p.30; external: linker\_mc710 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum Ctrl1Win {
     /// 0: Buffer window.
@@ -483,6 +482,7 @@ impl Ctrl1Win {
         self as u8
     }
 }
+regbus::enumeration!(Ctrl1Win, CTRL1_WIN_VALUES);
 pub(crate) const CTRL2_DNCNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CTRL2_DNCNT",
     values: &[(0, 0, "off"), (1, 18, "data_bits")],
@@ -496,7 +496,6 @@ pub(crate) const CTRL2_DNCNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-24 p.31; external: linker\_mc710 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum Ctrl2Dncnt {
     /// 0: Data bytes are not compared.
     Off,
@@ -538,6 +537,7 @@ impl Ctrl2Dncnt {
         }
     }
 }
+regbus::enumeration!(Ctrl2Dncnt, CTRL2_DNCNT_VALUES);
 pub(crate) const CFG2_SEG2PHTS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CFG2_SEG2PHTS",
     values: &[(0, 0, "seg1ph_or_ipt"), (1, 1, "programmable")],
@@ -549,7 +549,6 @@ pub(crate) const CFG2_SEG2PHTS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-2 p.16; §7.1 p.42; external: linker\_mc710 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum Cfg2Seg2phts {
     /// 0: Phase segment 1 or the information processing time, whichever is longer.
@@ -574,6 +573,7 @@ impl Cfg2Seg2phts {
         self as u8
     }
 }
+regbus::enumeration!(Cfg2Seg2phts, CFG2_SEG2PHTS_VALUES);
 pub(crate) const CFG2_SAM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CFG2_SAM",
     values: &[(0, 0, "once"), (1, 1, "three_times")],
@@ -585,7 +585,6 @@ pub(crate) const CFG2_SAM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-2 p.16; §7.1 p.42; external: linker\_mc710 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum Cfg2Sam {
     /// 0: One sample at the sample point.
@@ -610,6 +609,7 @@ impl Cfg2Sam {
         self as u8
     }
 }
+regbus::enumeration!(Cfg2Sam, CFG2_SAM_VALUES);
 pub(crate) const TR_CON_TXEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "tr_con_TXEN",
     values: &[(0, 0, "receive"), (1, 1, "transmit")],
@@ -621,7 +621,6 @@ pub(crate) const TR_CON_TXEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Table 3-2 p.9; Table 3-5 p.12; §8.1 p.43; Register 4-25 p.32; external: header\_mc710 (bit positions); external: frm\_dspic30f (access and meaning of TXABT); external: linker\_mc710 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TrConTxen {
     /// 0: Receive buffer.
@@ -646,6 +645,7 @@ impl TrConTxen {
         self as u8
     }
 }
+regbus::enumeration!(TrConTxen, TR_CON_TXEN_VALUES);
 pub(crate) const RXM_SID_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "rxm_sid_MIDE",
     values: &[(0, 0, "both_formats"), (1, 1, "by_exide")],
@@ -657,7 +657,6 @@ pub(crate) const RXM_SID_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 4-6 p.18; Table 9-2 p.52; external: linker\_mc710 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum RxmSidMide {
     /// 0: EXIDE is ignored and messages of both formats can match.
@@ -682,3 +681,4 @@ impl RxmSidMide {
         self as u8
     }
 }
+regbus::enumeration!(RxmSidMide, RXM_SID_MIDE_VALUES);

@@ -20,7 +20,6 @@ pub(crate) const LAST_ERROR_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::En
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.14 p.18
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum LastErrorCode {
     /// 0: Nothing went wrong since a message was last received or sent without error.
@@ -63,6 +62,7 @@ impl LastErrorCode {
         self as u8
     }
 }
+regbus::enumeration!(LastErrorCode, LAST_ERROR_CODE_VALUES);
 pub(crate) const ACTIVITY_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "activity",
     values: &[
@@ -79,7 +79,6 @@ pub(crate) const ACTIVITY_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.14 p.18
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum Activity {
     /// 0: Waiting for 11 recessive bits, also after a protocol exception event.
@@ -110,6 +109,7 @@ impl Activity {
         self as u8
     }
 }
+regbus::enumeration!(Activity, ACTIVITY_VALUES);
 pub(crate) const INTERRUPT_LINE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "interrupt_line",
     values: &[(0, 0, "int0"), (1, 1, "int1")],
@@ -121,7 +121,6 @@ pub(crate) const INTERRUPT_LINE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.18 p.25
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum InterruptLine {
     /// 0: Line m\_can\_int0.
@@ -146,6 +145,7 @@ impl InterruptLine {
         self as u8
     }
 }
+regbus::enumeration!(InterruptLine, INTERRUPT_LINE_VALUES);
 pub(crate) const NON_MATCHING_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "non_matching",
     values: &[
@@ -162,7 +162,6 @@ pub(crate) const NON_MATCHING_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.20 p.27
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum NonMatching {
     /// 0: Stored in Rx FIFO 0.
@@ -193,6 +192,7 @@ impl NonMatching {
         self as u8
     }
 }
+regbus::enumeration!(NonMatching, NON_MATCHING_VALUES);
 pub(crate) const REMOTE_FRAMES_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "remote_frames",
     values: &[(0, 0, "filter"), (1, 1, "reject")],
@@ -204,7 +204,6 @@ pub(crate) const REMOTE_FRAMES_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.20 p.27
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum RemoteFrames {
     /// 0: Pass through the filter list like data frames.
@@ -229,6 +228,7 @@ impl RemoteFrames {
         self as u8
     }
 }
+regbus::enumeration!(RemoteFrames, REMOTE_FRAMES_VALUES);
 pub(crate) const FIFO_MODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "fifo_mode",
     values: &[(0, 0, "blocking"), (1, 1, "overwrite")],
@@ -240,7 +240,6 @@ pub(crate) const FIFO_MODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.27 p.31; §3.4.2.1 p.70; §3.4.2.2 p.70
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FifoMode {
     /// 0: The new message is discarded and reported lost.
@@ -265,6 +264,7 @@ impl FifoMode {
         self as u8
     }
 }
+regbus::enumeration!(FifoMode, FIFO_MODE_VALUES);
 pub(crate) const DATA_FIELD_SIZE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_field_size",
     values: &[
@@ -285,7 +285,6 @@ pub(crate) const DATA_FIELD_SIZE_VALUES: &regbus::meta::Enum = &regbus::meta::En
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.34 p.36; Table 55 p.69; Table 59 p.75
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum DataFieldSize {
     /// 0: 8 bytes; the element has 4 words.
@@ -328,6 +327,7 @@ impl DataFieldSize {
         self as u8
     }
 }
+regbus::enumeration!(DataFieldSize, DATA_FIELD_SIZE_VALUES);
 pub(crate) const ID_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "id_format",
     values: &[(0, 0, "standard"), (1, 1, "extended")],
@@ -337,7 +337,6 @@ pub(crate) const ID_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum IdFormat {
     /// 0: 11-bit identifier.
@@ -362,6 +361,7 @@ impl IdFormat {
         self as u8
     }
 }
+regbus::enumeration!(IdFormat, ID_FORMAT_VALUES);
 pub(crate) const FRAME_KIND_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "frame_kind",
     values: &[(0, 0, "data"), (1, 1, "remote")],
@@ -371,7 +371,6 @@ pub(crate) const FRAME_KIND_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FrameKind {
     /// 0: Data frame.
@@ -396,6 +395,7 @@ impl FrameKind {
         self as u8
     }
 }
+regbus::enumeration!(FrameKind, FRAME_KIND_VALUES);
 pub(crate) const FRAME_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "frame_format",
     values: &[(0, 0, "classic"), (1, 1, "fd")],
@@ -405,7 +405,6 @@ pub(crate) const FRAME_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.48
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FrameFormat {
     /// 0: Classical CAN.
@@ -430,6 +429,7 @@ impl FrameFormat {
         self as u8
     }
 }
+regbus::enumeration!(FrameFormat, FRAME_FORMAT_VALUES);
 pub(crate) const ERROR_STATE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "error_state",
     values: &[(0, 0, "error_active"), (1, 1, "error_passive")],
@@ -439,7 +439,6 @@ pub(crate) const ERROR_STATE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ErrorState {
     /// 0: The transmitter was error active.
@@ -464,6 +463,7 @@ impl ErrorState {
         self as u8
     }
 }
+regbus::enumeration!(ErrorState, ERROR_STATE_VALUES);
 pub(crate) const DATA_LENGTH_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_length_code",
     values: &[
@@ -482,7 +482,6 @@ pub(crate) const DATA_LENGTH_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::E
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.48; Table 54 p.59
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum DataLengthCode {
     /// 0 to 8: As many bytes as the code says. It holds the value itself.
     Bytes(u8),
@@ -544,6 +543,7 @@ impl DataLengthCode {
         }
     }
 }
+regbus::enumeration!(DataLengthCode, DATA_LENGTH_CODE_VALUES);
 pub(crate) const FILTER_ACTION_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "filter_action",
     values: &[
@@ -562,7 +562,6 @@ pub(crate) const FILTER_ACTION_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.53; §2.4.6 p.54
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FilterAction {
     /// 0: The element is skipped.
@@ -605,6 +604,7 @@ impl FilterAction {
         self as u8
     }
 }
+regbus::enumeration!(FilterAction, FILTER_ACTION_VALUES);
 pub(crate) const RX_BUFFER_USE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "rx_buffer_use",
     values: &[
@@ -619,7 +619,6 @@ pub(crate) const RX_BUFFER_USE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.53; §2.4.6 p.55
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum RxBufferUse {
     /// 0: Store in a dedicated Rx Buffer.
@@ -650,6 +649,7 @@ impl RxBufferUse {
         self as u8
     }
 }
+regbus::enumeration!(RxBufferUse, RX_BUFFER_USE_VALUES);
 pub(crate) const STANDARD_FILTER_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "standard_filter_type",
     values: &[(0, 0, "range"), (1, 1, "dual"), (2, 2, "classic"), (3, 3, "disabled")],
@@ -659,7 +659,6 @@ pub(crate) const STANDARD_FILTER_TYPE_VALUES: &regbus::meta::Enum = &regbus::met
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.52
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum StandardFilterType {
     /// 0: Identifiers from SFID1 to SFID2, with SFID2 not less than SFID1.
@@ -690,6 +689,7 @@ impl StandardFilterType {
         self as u8
     }
 }
+regbus::enumeration!(StandardFilterType, STANDARD_FILTER_TYPE_VALUES);
 pub(crate) const EXTENDED_FILTER_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "extended_filter_type",
     values: &[
@@ -704,7 +704,6 @@ pub(crate) const EXTENDED_FILTER_TYPE_VALUES: &regbus::meta::Enum = &regbus::met
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.6 p.54; §3.4.1.1 p.66
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ExtendedFilterType {
     /// 0: Received identifier ANDed with XIDAM, from EFID1 to EFID2, with EFID2 not less than EFID1.
@@ -735,6 +734,7 @@ impl ExtendedFilterType {
         self as u8
     }
 }
+regbus::enumeration!(ExtendedFilterType, EXTENDED_FILTER_TYPE_VALUES);
 pub(crate) const TX_EVENT_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "tx_event_type",
     values: &[(1, 1, "tx_event"), (2, 2, "in_spite_of_cancellation")],
@@ -746,7 +746,6 @@ pub(crate) const TX_EVENT_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.4 p.52
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TxEventType {
     /// 1: The message was sent.
@@ -775,6 +774,7 @@ impl TxEventType {
         self as u8
     }
 }
+regbus::enumeration!(TxEventType, TX_EVENT_TYPE_VALUES);
 pub(crate) const TEST_RX_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "TEST_RX",
     values: &[(0, 0, "dominant"), (1, 1, "recessive")],
@@ -786,7 +786,6 @@ pub(crate) const TEST_RX_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.5 Table 6 p.9; Table 1 p.5 (reset and access); §3.1.9 p.63
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TestRx {
     /// 0: `dominant`
@@ -811,6 +810,7 @@ impl TestRx {
         self as u8
     }
 }
+regbus::enumeration!(TestRx, TEST_RX_VALUES);
 pub(crate) const TEST_TX_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "TEST_TX",
     values: &[
@@ -827,7 +827,6 @@ pub(crate) const TEST_TX_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.5 Table 6 p.9; Table 1 p.5 (reset and access); §3.1.9 p.63
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TestTx {
     /// 0: The CAN core drives the pin; it changes at the end of a bit time.
@@ -858,6 +857,7 @@ impl TestTx {
         self as u8
     }
 }
+regbus::enumeration!(TestTx, TEST_TX_VALUES);
 pub(crate) const CCCR_NISO_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CCCR_NISO",
     values: &[(0, 0, "iso_11898_1"), (1, 1, "bosch_fd_v1")],
@@ -869,7 +869,6 @@ pub(crate) const CCCR_NISO_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.7 Table 8 p.11; Table 1 p.5 (reset and access); §3.1.1 p.57
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum CccrNiso {
     /// 0: `iso_11898_1`
@@ -894,6 +893,7 @@ impl CccrNiso {
         self as u8
     }
 }
+regbus::enumeration!(CccrNiso, CCCR_NISO_VALUES);
 pub(crate) const CCCR_WMM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CCCR_WMM",
     values: &[(0, 0, "bits_8"), (1, 1, "bits_16")],
@@ -905,7 +905,6 @@ pub(crate) const CCCR_WMM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.7 Table 8 p.11; Table 1 p.5 (reset and access); §3.1.1 p.57
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum CccrWmm {
     /// 0: 8-bit Message Markers; the Tx Event FIFO stores 16-bit timestamps.
@@ -930,6 +929,7 @@ impl CccrWmm {
         self as u8
     }
 }
+regbus::enumeration!(CccrWmm, CCCR_WMM_VALUES);
 pub(crate) const CCCR_UTSU_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CCCR_UTSU",
     values: &[(0, 0, "internal"), (1, 1, "external")],
@@ -941,7 +941,6 @@ pub(crate) const CCCR_UTSU_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.7 Table 8 p.11; Table 1 p.5 (reset and access); §3.1.1 p.57
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum CccrUtsu {
     /// 0: 16-bit timestamps of this module.
@@ -966,6 +965,7 @@ impl CccrUtsu {
         self as u8
     }
 }
+regbus::enumeration!(CccrUtsu, CCCR_UTSU_VALUES);
 pub(crate) const TSCC_TSS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "TSCC_TSS",
     values: &[
@@ -982,7 +982,6 @@ pub(crate) const TSCC_TSS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.9 Table 10 p.14; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TsccTss {
     /// 0: The timestamp is always 0x0000.
@@ -1013,6 +1012,7 @@ impl TsccTss {
         self as u8
     }
 }
+regbus::enumeration!(TsccTss, TSCC_TSS_VALUES);
 pub(crate) const TOCC_TOS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "TOCC_TOS",
     values: &[
@@ -1029,7 +1029,6 @@ pub(crate) const TOCC_TOS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.11 Table 12 p.15; Table 1 p.5 (reset and access); §3.3 p.64
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum ToccTos {
     /// 0: Runs from the moment CCCR.INIT is cleared; a write to TOCV presets it.
@@ -1060,6 +1059,7 @@ impl ToccTos {
         self as u8
     }
 }
+regbus::enumeration!(ToccTos, TOCC_TOS_VALUES);
 pub(crate) const HPMS_FLST_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "HPMS_FLST",
     values: &[(0, 0, "standard"), (1, 1, "extended")],
@@ -1071,7 +1071,6 @@ pub(crate) const HPMS_FLST_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum HpmsFlst {
     /// 0: `standard`
@@ -1096,6 +1095,7 @@ impl HpmsFlst {
         self as u8
     }
 }
+regbus::enumeration!(HpmsFlst, HPMS_FLST_VALUES);
 pub(crate) const HPMS_MSI_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "HPMS_MSI",
     values: &[
@@ -1112,7 +1112,6 @@ pub(crate) const HPMS_MSI_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum HpmsMsi {
     /// 0: No FIFO was selected.
@@ -1143,6 +1142,7 @@ impl HpmsMsi {
         self as u8
     }
 }
+regbus::enumeration!(HpmsMsi, HPMS_MSI_VALUES);
 pub(crate) const RXF1S_DMS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "RXF1S_DMS",
     values: &[(0, 0, "idle"), (1, 1, "a"), (2, 2, "a_b"), (3, 3, "a_b_c")],
@@ -1154,7 +1154,6 @@ pub(crate) const RXF1S_DMS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum Rxf1sDms {
     /// 0: Waiting for debug messages; the DMA request is cleared.
@@ -1185,6 +1184,7 @@ impl Rxf1sDms {
         self as u8
     }
 }
+regbus::enumeration!(Rxf1sDms, RXF1S_DMS_VALUES);
 pub(crate) const TXBC_TFQM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "TXBC_TFQM",
     values: &[(0, 0, "fifo"), (1, 1, "queue")],
@@ -1196,7 +1196,6 @@ pub(crate) const TXBC_TFQM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.35 Table 36 p.37; Table 1 p.6 (reset and access); §3.5.5 p.76
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TxbcTfqm {
     /// 0: Tx FIFO: messages leave in the order in which they were written.
@@ -1221,6 +1220,7 @@ impl TxbcTfqm {
         self as u8
     }
 }
+regbus::enumeration!(TxbcTfqm, TXBC_TFQM_VALUES);
 pub(crate) const TX_BUFFER_T0_ESI_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "TX_BUFFER_T0_ESI",
     values: &[(0, 0, "by_error_state"), (1, 1, "recessive")],
@@ -1230,7 +1230,6 @@ pub(crate) const TX_BUFFER_T0_ESI_VALUES: &regbus::meta::Enum = &regbus::meta::E
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.3 Table 50 p.49
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum TxBufferT0Esi {
     /// 0: Recessive only if the node is error passive.
@@ -1255,3 +1254,4 @@ impl TxBufferT0Esi {
         self as u8
     }
 }
+regbus::enumeration!(TxBufferT0Esi, TX_BUFFER_T0_ESI_VALUES);

@@ -20,7 +20,6 @@ pub(crate) const OPERATION_MODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-1 p.14; §34.5 p.53
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum OperationMode {
     /// 0: Takes part in the bus traffic, sends and receives.
@@ -61,6 +60,7 @@ impl OperationMode {
         self as u8
     }
 }
+regbus::enumeration!(OperationMode, OPERATION_MODE_VALUES);
 pub(crate) const INTERRUPT_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "interrupt_code",
     values: &[
@@ -85,7 +85,6 @@ pub(crate) const INTERRUPT_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-4 p.21; §34.12.6
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum InterruptCode {
     /// 0 to 31: FIFO n, that is, bit n of CiFSTAT is set. It holds the value itself.
     Fifo(u8),
@@ -159,6 +158,7 @@ impl InterruptCode {
         }
     }
 }
+regbus::enumeration!(InterruptCode, INTERRUPT_CODE_VALUES);
 pub(crate) const IDENTIFIER_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "identifier_type",
     values: &[(0, 0, "standard"), (1, 1, "extended")],
@@ -168,7 +168,6 @@ pub(crate) const IDENTIFIER_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::En
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Figure 34-12 p.63
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum IdentifierType {
     /// 0: 11-bit identifier.
@@ -193,6 +192,7 @@ impl IdentifierType {
         self as u8
     }
 }
+regbus::enumeration!(IdentifierType, IDENTIFIER_TYPE_VALUES);
 pub(crate) const FRAME_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "frame_type",
     values: &[(0, 0, "data_frame"), (1, 1, "remote_frame")],
@@ -202,7 +202,6 @@ pub(crate) const FRAME_TYPE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Figure 34-12 p.63
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FrameType {
     /// 0: Not a remote transmission request.
@@ -227,6 +226,7 @@ impl FrameType {
         self as u8
     }
 }
+regbus::enumeration!(FrameType, FRAME_TYPE_VALUES);
 pub(crate) const DATA_LENGTH_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_length",
     values: &[(0, 7, "bytes"), (8, 15, "eight_bytes")],
@@ -236,7 +236,6 @@ pub(crate) const DATA_LENGTH_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Figure 34-12 p.63
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum DataLength {
     /// 0 to 7: n data bytes. It holds the value itself.
     Bytes(u8),
@@ -277,6 +276,7 @@ impl DataLength {
         }
     }
 }
+regbus::enumeration!(DataLength, DATA_LENGTH_VALUES);
 pub(crate) const CON_DNCNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CON_DNCNT",
     values: &[(0, 0, "no_comparison"), (1, 18, "data_bits")],
@@ -290,7 +290,6 @@ pub(crate) const CON_DNCNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-1 p.14; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum ConDncnt {
     /// 0: DeviceNet filtering is off.
     NoComparison,
@@ -332,6 +331,7 @@ impl ConDncnt {
         }
     }
 }
+regbus::enumeration!(ConDncnt, CON_DNCNT_VALUES);
 pub(crate) const CFG_SEG2PHTS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CFG_SEG2PHTS",
     values: &[(0, 0, "automatic"), (1, 1, "programmable")],
@@ -343,7 +343,6 @@ pub(crate) const CFG_SEG2PHTS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-2 p.16; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum CfgSeg2phts {
     /// 0: Segment 2 is as long as segment 1 or the information processing time, whichever is longer.
@@ -368,6 +367,7 @@ impl CfgSeg2phts {
         self as u8
     }
 }
+regbus::enumeration!(CfgSeg2phts, CFG_SEG2PHTS_VALUES);
 pub(crate) const CFG_SAM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "CFG_SAM",
     values: &[(0, 0, "once"), (1, 1, "three_times")],
@@ -379,7 +379,6 @@ pub(crate) const CFG_SAM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-2 p.16; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum CfgSam {
     /// 0: The bus is sampled once.
@@ -404,6 +403,7 @@ impl CfgSam {
         self as u8
     }
 }
+regbus::enumeration!(CfgSam, CFG_SAM_VALUES);
 pub(crate) const VEC_FILHIT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "VEC_FILHIT",
     values: &[(0, 31, "filter")],
@@ -415,7 +415,6 @@ pub(crate) const VEC_FILHIT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-4 p.20; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum VecFilhit {
     /// 0 to 31: Filter n. It holds the value itself.
     Filter(u8),
@@ -449,6 +448,7 @@ impl VecFilhit {
         }
     }
 }
+regbus::enumeration!(VecFilhit, VEC_FILHIT_VALUES);
 pub(crate) const RXM_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "RXM_MIDE",
     values: &[(0, 0, "any_type"), (1, 1, "type_of_filter")],
@@ -460,7 +460,6 @@ pub(crate) const RXM_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-9 p.26; §34.8.3; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum RxmMide {
     /// 0: Standard messages match on SID, extended ones on SID and EID, whatever EXID says.
@@ -485,6 +484,7 @@ impl RxmMide {
         self as u8
     }
 }
+regbus::enumeration!(RxmMide, RXM_MIDE_VALUES);
 pub(crate) const FLT_CON_MSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "flt_con_MSEL",
     values: &[(0, 3, "mask")],
@@ -496,7 +496,6 @@ pub(crate) const FLT_CON_MSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-10 p.27; Table 34-1 p.12 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum FltConMsel {
     /// 0 to 3: Acceptance mask n. It holds the value itself.
     Mask(u8),
@@ -526,6 +525,7 @@ impl FltConMsel {
         }
     }
 }
+regbus::enumeration!(FltConMsel, FLT_CON_MSEL_VALUES);
 pub(crate) const FLT_CON_FSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "flt_con_FSEL",
     values: &[(0, 31, "fifo")],
@@ -537,7 +537,6 @@ pub(crate) const FLT_CON_FSEL_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-10 p.27; Table 34-1 p.12 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum FltConFsel {
     /// 0 to 31: FIFO n. It holds the value itself.
     Fifo(u8),
@@ -571,6 +570,7 @@ impl FltConFsel {
         }
     }
 }
+regbus::enumeration!(FltConFsel, FLT_CON_FSEL_VALUES);
 pub(crate) const RXF_EXID_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "RXF_EXID",
     values: &[(0, 0, "standard"), (1, 1, "extended")],
@@ -582,7 +582,6 @@ pub(crate) const RXF_EXID_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-18 p.43; Table 34-1 p.12 (offset); Table 34-1 p.12 (stride); external: device\_addresses (stride)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum RxfExid {
     /// 0: Matches messages with a standard identifier.
@@ -607,6 +606,7 @@ impl RxfExid {
         self as u8
     }
 }
+regbus::enumeration!(RxfExid, RXF_EXID_VALUES);
 pub(crate) const FIFO_CON_DONLY_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "fifo_con_DONLY",
     values: &[(0, 0, "full_message"), (1, 1, "data_only")],
@@ -618,7 +618,6 @@ pub(crate) const FIFO_CON_DONLY_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-20 p.45; Table 34-1 p.12 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FifoConDonly {
     /// 0: Identifier, length, filter, time stamp and data are stored, 16 bytes a message.
@@ -643,6 +642,7 @@ impl FifoConDonly {
         self as u8
     }
 }
+regbus::enumeration!(FifoConDonly, FIFO_CON_DONLY_VALUES);
 pub(crate) const FIFO_CON_TXEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "fifo_con_TXEN",
     values: &[(0, 0, "receive"), (1, 1, "transmit")],
@@ -654,7 +654,6 @@ pub(crate) const FIFO_CON_TXEN_VALUES: &regbus::meta::Enum = &regbus::meta::Enum
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-20 p.45; Table 34-1 p.12 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FifoConTxen {
     /// 0: Receive FIFO.
@@ -679,6 +678,7 @@ impl FifoConTxen {
         self as u8
     }
 }
+regbus::enumeration!(FifoConTxen, FIFO_CON_TXEN_VALUES);
 pub(crate) const FIFO_CON_TXPRI_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "fifo_con_TXPRI",
     values: &[
@@ -695,7 +695,6 @@ pub(crate) const FIFO_CON_TXPRI_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-20 p.45; Table 34-1 p.12 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 #[repr(u8)]
 pub enum FifoConTxpri {
     /// 0: `lowest`
@@ -726,6 +725,7 @@ impl FifoConTxpri {
         self as u8
     }
 }
+regbus::enumeration!(FifoConTxpri, FIFO_CON_TXPRI_VALUES);
 pub(crate) const RX_BUFFER_CMSGSID_FILHIT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "RX_BUFFER_CMSGSID_FILHIT",
     values: &[(0, 31, "filter")],
@@ -735,7 +735,6 @@ pub(crate) const RX_BUFFER_CMSGSID_FILHIT_VALUES: &regbus::meta::Enum = &regbus:
 ///
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5; §34.9 p.80; Example 34-13
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
 pub enum RxBufferCmsgsidFilhit {
     /// 0 to 31: Filter n. It holds the value itself.
     Filter(u8),
@@ -769,3 +768,4 @@ impl RxBufferCmsgsidFilhit {
         }
     }
 }
+regbus::enumeration!(RxBufferCmsgsidFilhit, RX_BUFFER_CMSGSID_FILHIT_VALUES);

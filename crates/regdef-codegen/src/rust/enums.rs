@@ -128,11 +128,11 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
     });
     let gap = (!plain).then(|| quote!(#[doc = ""]));
     let values = meta::values(entry);
+    let constant = meta::values_name(entry);
     quote! {
         #values
         #docs
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[cfg_attr(feature = "defmt", derive(regbus::defmt::Format))]
         #repr
         pub enum #name { #(#variants)* }
 
@@ -148,5 +148,7 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
 
             #numbers
         }
+
+        regbus::enumeration!(#name, #constant);
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn value(
         #[derive(Clone, Copy, PartialEq, Eq, Hash)]
         #[repr(transparent)]
         pub struct #name(#word);
-        pub(crate) const #table: &[regbus::meta::Field] = &[#(#entries),*];
+        pub(crate) const #table: &[Field] = &[#(#entries),*];
         regbus::register!(#name, #word, #shown, #reset, #table);
         #accessors
     }

@@ -20,7 +20,9 @@ pub(super) fn module(model: &Model) -> TokenStream {
     ));
     quote! {
         #head
+        #[allow(unused_imports, reason = "not every message has a payload")]
         use regbus::{Bus, Mmio, Payload, Reg};
+        use regbus::meta::{Access, Field};
 
         #(#messages)*
     }

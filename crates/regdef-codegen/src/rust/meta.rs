@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 use regdef::model::{
-    AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, Joined, LaneIndex, Message, Model,
+    AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, FieldReset, Joined, LaneIndex, Message, Model,
     OnRead, Part, ReadEffect, Register, SectionStart, TimingPhase,
 };
 
@@ -33,8 +33,6 @@ fn condition_ref(id: ConditionId) -> TokenStream {
 pub(super) fn field(model: &Model, field: &Field) -> TokenStream {
     let name = &field.name;
     let (lsb, width) = (number(field.lsb), number(field.width));
-    let (lanes, stride, first) = field.lanes.map_or((1, 0, 0), |l| (l.count, l.stride, l.first));
-    let (lanes, stride, first) = (number(lanes), number(stride), number(first));
     let access = ident(match field.access.code {
         AccessCode::Rw => "Rw",
         AccessCode::Ro => "Ro",
@@ -46,47 +44,61 @@ pub(super) fn field(model: &Model, field: &Field) -> TokenStream {
         AccessCode::Rwh => "Rwh",
         AccessCode::Wclr => "Wclr",
     });
-    let on_read = match field.access.on_read {
-        None => quote!(None),
-        Some(OnRead { effect, byte }) => {
-            let byte = option(byte, |b| number(b));
-            match effect {
-                ReadEffect::Clear => quote!(Clear(#byte)),
-                ReadEffect::Set => quote!(Set(#byte)),
-            }
-        }
-    };
-    let reset = match field.reset {
-        regdef::model::FieldReset::Value(value) => {
-            let value = number(value);
-            quote!(Some(#value))
-        }
-        regdef::model::FieldReset::None(_) => quote!(None),
-    };
-    let (min, max) = (number(field.min), number(field.max));
-    let encoding = field.encoding.as_ref();
-    let add = i32::try_from(encoding.map_or(0, |e| e.add)).unwrap_or(0);
-    let add = proc_macro2::Literal::i32_unsuffixed(add);
-    let times = number(encoding.and_then(|e| e.times).unwrap_or(1));
-    let signed = encoding.is_some_and(|e| e.signed);
-    let unit = encoding.and_then(|e| e.unit.as_deref()).unwrap_or("");
-    let values = option(field.enumeration(), |id| {
-        let name = values_name(model.enumeration(id));
-        quote!(crate::enums::#name)
-    });
-    let when = option(field.access.when, condition_ref);
-    let set_when = option(field.access.set_when, condition_ref);
-    let loads = option(field.access.loads, field_ref);
-    let must_write = option(field.access.must_write, |v| number(v));
-    let safe = field.access.safe_to_write_back.is_some();
-    quote! {
-        regbus::meta::Field {
-            name: #name, lsb: #lsb, width: #width, lanes: #lanes, lane_stride: #stride, first_lane: #first,
-            access: regbus::meta::Access::#access, on_read: regbus::meta::ReadEffect::#on_read, reset: #reset,
-            min: #min, max: #max, add: #add, times: #times, signed: #signed, unit: #unit, values: #values,
-            when: #when, set_when: #set_when, loads: #loads, must_write: #must_write, safe_to_write_back: #safe,
-        }
+    let mut out = quote!(Field::new(#name, #lsb, #width, Access::#access));
+    if let Some(lanes) = field.lanes {
+        let (count, stride, first) = (number(lanes.count), number(lanes.stride), number(lanes.first));
+        out.extend(quote!(.lanes(#count, #stride, #first)));
     }
+    if let Some(OnRead { effect, byte }) = field.access.on_read {
+        let byte = option(byte, |b| number(b));
+        out.extend(match effect {
+            ReadEffect::Clear => quote!(.on_read(ReadEffect::Clear(#byte))),
+            ReadEffect::Set => quote!(.on_read(ReadEffect::Set(#byte))),
+        });
+    }
+    match field.reset {
+        FieldReset::Value(0) => {}
+        FieldReset::Value(value) => {
+            let value = number(value);
+            out.extend(quote!(.reset(Some(#value))));
+        }
+        FieldReset::None(_) => out.extend(quote!(.reset(None))),
+    }
+    if field.min > 0 || field.max < field.capacity() {
+        let (min, max) = (number(field.min), number(field.max));
+        out.extend(quote!(.limits(#min, #max)));
+    }
+    if let Some(encoding) = &field.encoding {
+        // An addend beyond 32 bits is no encoding of a 32-bit field; the checks of the description refuse it.
+        let add = proc_macro2::Literal::i32_unsuffixed(i32::try_from(encoding.add).unwrap_or(0));
+        let (times, signed) = (number(encoding.times.unwrap_or(1)), encoding.signed);
+        let unit = encoding.unit.as_deref().unwrap_or("");
+        out.extend(quote!(.encoding(#add, #times, #signed, #unit)));
+    }
+    if let Some(id) = field.enumeration() {
+        let values = values_name(model.enumeration(id));
+        out.extend(quote!(.values(crate::enums::#values)));
+    }
+    if let Some(id) = field.access.when {
+        let id = condition_ref(id);
+        out.extend(quote!(.when(#id)));
+    }
+    if let Some(id) = field.access.set_when {
+        let id = condition_ref(id);
+        out.extend(quote!(.set_when(#id)));
+    }
+    if let Some(at) = field.access.loads {
+        let (register, field) = (number(at.register.0 as u64), number(at.field as u64));
+        out.extend(quote!(.loads(#register, #field)));
+    }
+    if let Some(value) = field.access.must_write {
+        let value = number(value);
+        out.extend(quote!(.must_write(#value)));
+    }
+    if field.access.safe_to_write_back.is_some() {
+        out.extend(quote!(.safe_to_write_back()));
+    }
+    out
 }
 
 /// Name of the constant with an enumeration's names.

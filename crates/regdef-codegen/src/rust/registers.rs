@@ -18,7 +18,12 @@ pub(super) fn module(model: &Model) -> TokenStream {
          peripheral hand out [`Reg`](regbus::Reg)s of them.",
         doc::md(&model.title)
     ));
-    quote!(#head #(#values)*)
+    quote! {
+        #head
+        #[allow(unused_imports, reason = "not every block has fields with read effects")]
+        use regbus::meta::{Access, Field, ReadEffect};
+        #(#values)*
+    }
 }
 
 /// The value type: docs, struct, common part, fields.
