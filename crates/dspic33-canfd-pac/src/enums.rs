@@ -292,9 +292,7 @@ impl FilterNumber {
     #[inline]
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
-        match bits {
-            _ => Self::Filter(bits),
-        }
+        Self::Filter(bits)
     }
     /// The bits of the value.
     ///

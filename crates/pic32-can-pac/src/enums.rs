@@ -424,9 +424,7 @@ impl VecFilhit {
     #[inline]
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
-        match bits {
-            _ => Self::Filter(bits),
-        }
+        Self::Filter(bits)
     }
     /// The bits of the value.
     ///
@@ -505,9 +503,7 @@ impl FltConMsel {
     #[inline]
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
-        match bits {
-            _ => Self::Mask(bits),
-        }
+        Self::Mask(bits)
     }
     /// The bits of the value.
     ///
@@ -546,9 +542,7 @@ impl FltConFsel {
     #[inline]
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
-        match bits {
-            _ => Self::Fifo(bits),
-        }
+        Self::Fifo(bits)
     }
     /// The bits of the value.
     ///
@@ -744,9 +738,7 @@ impl RxBufferCmsgsidFilhit {
     #[inline]
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
-        match bits {
-            _ => Self::Filter(bits),
-        }
+        Self::Filter(bits)
     }
     /// The bits of the value.
     ///

@@ -62,13 +62,21 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
             (false, false) => quote!(#first..=#last => #value,),
         }
     });
+    let body = match (total, &entry.variants[..]) {
+        (true, [only]) => {
+            let name = ident(&only.ident.pascal);
+            quote!(Self::#name(bits))
+        }
+        (true, _) => quote!(match bits { #(#arms)* }),
+        (false, _) => quote!(match bits { #(#arms)* _ => Err(bits), }),
+    };
     let from_bits = if total {
         quote! {
             /// The value of a field's bits; bits above the field are ignored where they decide nothing.
             #[inline]
             #[must_use]
             pub const fn from_bits(bits: #int) -> Self {
-                match bits { #(#arms)* }
+                #body
             }
         }
     } else {
@@ -80,10 +88,7 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
             /// The bits themselves, if they are reserved or have no name.
             #[inline]
             pub const fn from_bits(bits: #int) -> Result<Self, #int> {
-                match bits {
-                    #(#arms)*
-                    _ => Err(bits),
-                }
+                #body
             }
         }
     };
