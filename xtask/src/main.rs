@@ -3,6 +3,7 @@
 mod artefacts;
 mod codegen;
 mod descriptions;
+mod diff;
 mod dump;
 mod project;
 mod report;
@@ -49,6 +50,15 @@ enum Command {
         #[arg(long, value_enum, default_value_t = Format::Csv)]
         format: Format,
     },
+    /// Tells what differs between two descriptions: registers and fields added, removed, moved, changed in access or reset.
+    ///
+    /// Exits with 1 if something differs.
+    Diff {
+        /// The old description: a path, or the name of a controller.
+        old: String,
+        /// The new description.
+        new: String,
+    },
     /// Writes the JSON schema for editors to regdefs/schema.json.
     Schema,
     /// Writes the HTML reference to target/reference/ and the language reference to docs/.
@@ -69,6 +79,7 @@ fn main() -> ExitCode {
         Command::Codegen { check, .. } => codegen::project(check),
         Command::Check { files } => descriptions::check(&files),
         Command::Dump { controller, format } => dump::print(&controller, matches!(format, Format::Json)),
+        Command::Diff { old, new } => diff::print(&old, &new),
         Command::Schema => codegen::schema(),
         Command::Docs => codegen::docs(),
     };
