@@ -38,17 +38,14 @@
     clippy::identity_op,
     clippy::module_inception,
     clippy::unnecessary_cast,
+    rustdoc::redundant_explicit_links,
     reason = "one form of body serves all widths"
 )]
-#![allow(
-    rustdoc::redundant_explicit_links,
-    reason = "links are explicit wherever they are generated"
-)]
+#[rustfmt::skip]
 pub mod enums;
+#[rustfmt::skip]
 pub mod guards;
-pub mod messages;
-#[cfg(feature = "meta")]
-pub mod meta;
+#[rustfmt::skip]
 pub mod manual_notes {
     //! Where the manual contradicts itself or is silent, and what is taken.
     //!
@@ -1025,7 +1022,15 @@ pub mod manual_notes {
     //!
     //! Choice: The filter is modelled without a length.
 }
+#[rustfmt::skip]
+pub mod messages;
+#[cfg(feature = "meta")]
+#[rustfmt::skip]
+pub mod meta;
+#[rustfmt::skip]
 mod peripheral;
+#[rustfmt::skip]
 pub mod registers;
+#[rustfmt::skip]
 pub use peripheral::{Dspic33Canfd, Fifo, Flt};
 pub use regbus::{Bus, Mmio, Reg};

@@ -38,17 +38,14 @@
     clippy::identity_op,
     clippy::module_inception,
     clippy::unnecessary_cast,
+    rustdoc::redundant_explicit_links,
     reason = "one form of body serves all widths"
 )]
-#![allow(
-    rustdoc::redundant_explicit_links,
-    reason = "links are explicit wherever they are generated"
-)]
+#[rustfmt::skip]
 pub mod enums;
+#[rustfmt::skip]
 pub mod guards;
-pub mod messages;
-#[cfg(feature = "meta")]
-pub mod meta;
+#[rustfmt::skip]
 pub mod manual_notes {
     //! Where the manual contradicts itself or is silent, and what is taken.
     //!
@@ -1075,7 +1072,15 @@ pub mod manual_notes {
     //!
     //! Choice: A simulator uses a fixed time of a few CAN clock periods, which can be set to zero. Drivers poll with a bound.
 }
+#[rustfmt::skip]
+pub mod messages;
+#[cfg(feature = "meta")]
+#[rustfmt::skip]
+pub mod meta;
+#[rustfmt::skip]
 mod peripheral;
+#[rustfmt::skip]
 pub mod registers;
+#[rustfmt::skip]
 pub use peripheral::MCan;
 pub use regbus::{Bus, Mmio, Reg};

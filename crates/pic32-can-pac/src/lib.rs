@@ -39,18 +39,16 @@
     clippy::identity_op,
     clippy::module_inception,
     clippy::unnecessary_cast,
+    rustdoc::redundant_explicit_links,
     reason = "one form of body serves all widths"
 )]
-#![allow(
-    rustdoc::redundant_explicit_links,
-    reason = "links are explicit wherever they are generated"
-)]
+#[rustfmt::skip]
 pub mod enums;
+#[rustfmt::skip]
 pub mod guards;
+#[rustfmt::skip]
 pub mod instances;
-pub mod messages;
-#[cfg(feature = "meta")]
-pub mod meta;
+#[rustfmt::skip]
 pub mod manual_notes {
     //! Where the manual contradicts itself or is silent, and what is taken.
     //!
@@ -1242,7 +1240,15 @@ pub mod manual_notes {
     //!
     //! Alternatives: Half a quantum and one quantum before the sample point.
 }
+#[rustfmt::skip]
+pub mod messages;
+#[cfg(feature = "meta")]
+#[rustfmt::skip]
+pub mod meta;
+#[rustfmt::skip]
 mod peripheral;
+#[rustfmt::skip]
 pub mod registers;
+#[rustfmt::skip]
 pub use peripheral::{Pic32Can, Fifo};
 pub use regbus::{Bus, Mmio, Reg};
