@@ -156,9 +156,17 @@ impl Lowering<'_> {
                     .help(format!("declare it under `sources: {{{key}: {{title: ...}}}}`")),
                 );
             }
-            None if [&cite.section, &cite.register, &cite.table, &cite.figure, &cite.example, &cite.equation, &cite.note]
-                .iter()
-                .all(|part| part.is_none()) =>
+            None if [
+                &cite.section,
+                &cite.register,
+                &cite.table,
+                &cite.figure,
+                &cite.example,
+                &cite.equation,
+                &cite.note,
+            ]
+            .iter()
+            .all(|part| part.is_none()) =>
             {
                 self.find(
                     Diagnostic::new(Code::VagueCitation, Spot::Value(place.clone()), "the citation names no place")
@@ -188,8 +196,12 @@ impl Lowering<'_> {
             if !matches!(width, 8 | 16 | 32) {
                 let at = Path::root().key("access_widths").index(index);
                 self.find(
-                    Diagnostic::new(Code::OutOfRange, Spot::Value(at), format!("an access cannot be {width} bits wide"))
-                        .label("has to be 8, 16 or 32"),
+                    Diagnostic::new(
+                        Code::OutOfRange,
+                        Spot::Value(at),
+                        format!("an access cannot be {width} bits wide"),
+                    )
+                    .label("has to be 8, 16 or 32"),
                 );
             }
         }
@@ -211,8 +223,12 @@ impl Lowering<'_> {
         let fine = matches!(width, 8 | 16 | 32);
         if !fine {
             self.find(
-                Diagnostic::new(Code::OutOfRange, Spot::Value(at.clone()), format!("a register cannot be {width} bits wide"))
-                    .label("has to be 8, 16 or 32"),
+                Diagnostic::new(
+                    Code::OutOfRange,
+                    Spot::Value(at.clone()),
+                    format!("a register cannot be {width} bits wide"),
+                )
+                .label("has to be 8, 16 or 32"),
             );
         }
         fine
@@ -280,8 +296,12 @@ impl Lowering<'_> {
     ) -> bool {
         if known(self).contains_key(name) {
             self.find(
-                Diagnostic::new(Code::DuplicateName, Spot::Key(at.clone()), format!("there are two {what}s named `{name}`"))
-                    .help("references use this name alone, so it has to be unique"),
+                Diagnostic::new(
+                    Code::DuplicateName,
+                    Spot::Key(at.clone()),
+                    format!("there are two {what}s named `{name}`"),
+                )
+                .help("references use this name alone, so it has to be unique"),
             );
             return false;
         }

@@ -73,7 +73,9 @@ fn explain(error: &ValidationError<'_>, tree: &Value, findings: &mut Vec<Diagnos
         ValidationErrorKind::Type { kind } => {
             let expected = match kind {
                 TypeKind::Single(one) => article(&one.to_string()),
-                TypeKind::Multiple(many) => many.iter().map(|t| article(&t.to_string())).collect::<Vec<_>>().join(" or "),
+                TypeKind::Multiple(many) => {
+                    many.iter().map(|t| article(&t.to_string())).collect::<Vec<_>>().join(" or ")
+                }
             };
             findings.push(wrong_type(&at, error.instance()).help(format!("this has to be {expected}")));
         }
@@ -89,14 +91,16 @@ fn explain(error: &ValidationError<'_>, tree: &Value, findings: &mut Vec<Diagnos
 }
 
 /// Among the forms a value may take, the one its author meant: same JSON type, and errors further inside.
-fn best_branch<'a>(context: &'a [Vec<ValidationError<'static>>], at: &Path) -> Option<&'a Vec<ValidationError<'static>>> {
+fn best_branch<'a>(
+    context: &'a [Vec<ValidationError<'static>>],
+    at: &Path,
+) -> Option<&'a Vec<ValidationError<'static>>> {
     let here = |e: &ValidationError<'_>| Path::from_pointer(e.instance_path().as_str()) == *at;
     let is_type = |e: &ValidationError<'_>| here(e) && matches!(e.kind(), ValidationErrorKind::Type { .. });
     let mut candidates: Vec<_> =
         context.iter().filter(|branch| !branch.is_empty() && !branch.iter().any(|e| is_type(e))).collect();
-    candidates.retain(|branch| {
-        !branch.iter().any(|e| here(e) && matches!(e.kind(), ValidationErrorKind::Pattern { .. }))
-    });
+    candidates
+        .retain(|branch| !branch.iter().any(|e| here(e) && matches!(e.kind(), ValidationErrorKind::Pattern { .. })));
     candidates.into_iter().min_by_key(|branch| branch.len())
 }
 

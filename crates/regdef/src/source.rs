@@ -59,7 +59,8 @@ impl Source {
             let mut key = key;
             loop {
                 if let Some(span) = self.spans.get(&path) {
-                    let range = if key { span.key.clone().unwrap_or_else(|| span.value.clone()) } else { span.value.clone() };
+                    let range =
+                        if key { span.key.clone().unwrap_or_else(|| span.value.clone()) } else { span.value.clone() };
                     return Some(range);
                 }
                 if path == Path::root() {

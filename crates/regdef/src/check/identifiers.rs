@@ -10,7 +10,8 @@ use crate::path::Path;
 /// Names the generated Rust needs for itself.
 const TYPES: [&str; 12] =
     ["Reg", "Mmio", "Bus", "Register", "Readable", "Writable", "Modify", "Clear", "Request", "Pure", "Alias", "Word"];
-const METHODS: [&str; 10] = ["bits", "from_bits", "contains", "is_empty", "reset", "eq", "fmt", "clone", "read", "write"];
+const METHODS: [&str; 10] =
+    ["bits", "from_bits", "contains", "is_empty", "reset", "eq", "fmt", "clone", "read", "write"];
 
 struct Names<'a> {
     seen: HashMap<String, (String, Path)>,
@@ -57,7 +58,9 @@ pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     for (id, cluster) in model.clusters.iter().enumerate() {
         let base = Path::root().key("clusters").key(&cluster.name);
         let mut members = Names { seen: HashMap::new(), findings };
-        for (index, register) in model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_some_and(|c| c.0 == id)) {
+        for (index, register) in
+            model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_some_and(|c| c.0 == id))
+        {
             let ident = register.ident.within(&cluster.ident);
             members.add(&ident.snake, &register.name, &lowered.registers[index].path);
         }

@@ -27,7 +27,10 @@ pub(super) fn registers(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
                 Diagnostic::new(
                     Code::StrideTooSmall,
                     Spot::Value(path.key("array").key("stride")),
-                    format!("the stride of `{}` is {}, but an element takes {reach} bytes{with}", register.name, dim.stride),
+                    format!(
+                        "the stride of `{}` is {}, but an element takes {reach} bytes{with}",
+                        register.name, dim.stride
+                    ),
                 )
                 .label(format!("has to be at least {reach}")),
             );
@@ -45,7 +48,11 @@ pub(super) fn registers(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
                     at,
                     format!("the {what} {value:#x} of `{}` is not a multiple of its {bytes} bytes", register.name),
                 )
-                .help(format!("the nearest aligned values are {:#x} and {:#x}", value - value % bytes, value - value % bytes + bytes)),
+                .help(format!(
+                    "the nearest aligned values are {:#x} and {:#x}",
+                    value - value % bytes,
+                    value - value % bytes + bytes
+                )),
             );
         }
         if let Some(cluster) = cluster {
@@ -123,7 +130,12 @@ fn overlaps(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
                     Diagnostic::new(
                         Code::OutsideBlock,
                         Spot::Value(path.key("offset")),
-                        format!("`{}` ends at {:#x}, outside the block of {:#x} bytes", one.name(model), one.to, model.span),
+                        format!(
+                            "`{}` ends at {:#x}, outside the block of {:#x} bytes",
+                            one.name(model),
+                            one.to,
+                            model.span
+                        ),
                     )
                     .also(Spot::Value(Path::root().key("span")), "the block's size"),
                 );
@@ -163,8 +175,11 @@ fn overlaps(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
 /// Every byte of the block is a register's or reserved, in every window.
 fn gaps(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     let model = &lowered.model;
-    let views: Vec<Option<WindowId>> =
-        if model.windows.is_empty() { vec![None] } else { (0..model.windows.len()).map(|i| Some(WindowId(i))).collect() };
+    let views: Vec<Option<WindowId>> = if model.windows.is_empty() {
+        vec![None]
+    } else {
+        (0..model.windows.len()).map(|i| Some(WindowId(i))).collect()
+    };
     let all = taken(model);
     for view in views {
         let visible = |window: Option<WindowId>| window.is_none() || window == view;
@@ -207,7 +222,12 @@ fn gaps(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
                 Diagnostic::new(
                     Code::RegisterOverlap,
                     Spot::Value(path.key("offset")),
-                    format!("`{}` lies in the reserved range {:#05x} to {:#05x}", taken.name(model), range.from, range.to),
+                    format!(
+                        "`{}` lies in the reserved range {:#05x} to {:#05x}",
+                        taken.name(model),
+                        range.from,
+                        range.to
+                    ),
                 )
                 .help("correct the offset, or shorten the range"),
             );

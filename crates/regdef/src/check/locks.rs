@@ -33,7 +33,10 @@ pub(super) fn conditions(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
             Diagnostic::new(
                 Code::ConditionLock,
                 Spot::Key(origin.fields[start.field].clone()),
-                format!("`{}` is writable only when fields allow it that wait for it themselves", model.field_path(start)),
+                format!(
+                    "`{}` is writable only when fields allow it that wait for it themselves",
+                    model.field_path(start)
+                ),
             )
             .label(names.join(" → "))
             .help("if the reset state does not fulfil the conditions, none of these fields can ever be written"),

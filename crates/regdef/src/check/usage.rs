@@ -22,7 +22,8 @@ pub(super) fn unused(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     used_conditions.extend(model.memory.sections.iter().filter_map(|s| s.exists_when));
     let used_windows: HashSet<WindowId> =
         model.registers.iter().filter_map(|r| r.window).chain(model.reserved.iter().filter_map(|r| r.window)).collect();
-    let mentioned = |name: &str| model.conditions.iter().any(|c| c.name != name && words_of(&c.text).any(|w| w == name));
+    let mentioned =
+        |name: &str| model.conditions.iter().any(|c| c.name != name && words_of(&c.text).any(|w| w == name));
     let mut report = |what: &str, name: &str, at: &Path| {
         findings.push(
             Diagnostic::new(Code::Unused, Spot::Key(at.clone()), format!("the {what} `{name}` is used nowhere"))

@@ -49,12 +49,25 @@ impl Lowering<'_> {
                 let at = at.key("sets").key(target);
                 let Some(field) = self.field_ref(target, &at) else { continue };
                 if value.0 > self.out.model.field(field).capacity() {
-                    self.find(Diagnostic::new(Code::OutOfRange, Spot::Value(at), format!("`{target}` cannot hold {}", value.0)));
+                    self.find(Diagnostic::new(
+                        Code::OutOfRange,
+                        Spot::Value(at),
+                        format!("`{target}` cannot hold {}", value.0),
+                    ));
                 }
                 sets.push((field, value.0));
             }
             let doc = effect.doc.clone();
-            self.out.model.effects.push(Effect { on, doc, resets, resets_fields, loads, sets, holds: effect.holds, cites });
+            self.out.model.effects.push(Effect {
+                on,
+                doc,
+                resets,
+                resets_fields,
+                loads,
+                sets,
+                holds: effect.holds,
+                cites,
+            });
         }
     }
 
@@ -177,7 +190,8 @@ impl Lowering<'_> {
             self.find(Diagnostic::new(Code::UnknownReference, Spot::Value(at.key("except")), title));
         }
         for (index, name) in names.iter().enumerate().filter(|(_, n)| !group.except.contains(n)) {
-            let stem = group.strip.as_ref().and_then(|strip| name.strip_suffix(strip.as_str())).unwrap_or(name).to_owned();
+            let stem =
+                group.strip.as_ref().and_then(|strip| name.strip_suffix(strip.as_str())).unwrap_or(name).to_owned();
             let mut partner = |register: Option<crate::model::RegisterId>, pattern: &Option<String>, key: &str| {
                 let wanted = pattern.as_deref().unwrap_or("{}").replace("{}", &stem);
                 register.and_then(|register| self.field_of(register, &wanted, &at.key(key)))
@@ -241,8 +255,12 @@ impl Lowering<'_> {
         let jump_width = field(&phase.jump_width, "jump_width");
         let (Some(min), Some(max)) = (phase.quanta.min, phase.quanta.max) else {
             self.find(
-                Diagnostic::new(Code::MissingKey, Spot::Key(at.key("quanta")), "the time quanta of a bit need `min` and `max`")
-                    .help("write `quanta: {min: 4, max: 385}`"),
+                Diagnostic::new(
+                    Code::MissingKey,
+                    Spot::Key(at.key("quanta")),
+                    "the time quanta of a bit need `min` and `max`",
+                )
+                .help("write `quanta: {min: 4, max: 385}`"),
             );
             return None;
         };
@@ -342,8 +360,12 @@ impl Lowering<'_> {
     fn unique_id(&mut self, seen: &mut HashMap<String, Path>, id: &str, what: &str, at: &Path) {
         if let Some(first) = seen.insert(id.to_owned(), at.clone()) {
             self.find(
-                Diagnostic::new(Code::DuplicateName, Spot::Value(at.key("id")), format!("there are two {what}s `{id}`"))
-                    .also(Spot::Value(first.key("id")), "first here"),
+                Diagnostic::new(
+                    Code::DuplicateName,
+                    Spot::Value(at.key("id")),
+                    format!("there are two {what}s `{id}`"),
+                )
+                .also(Spot::Value(first.key("id")), "first here"),
             );
         }
     }
@@ -354,7 +376,8 @@ impl Lowering<'_> {
             match self.target(name) {
                 Some(target) => targets.push(target),
                 None => {
-                    let known = self.register_names.keys().chain(self.enum_names.keys()).chain(self.message_names.keys());
+                    let known =
+                        self.register_names.keys().chain(self.enum_names.keys()).chain(self.message_names.keys());
                     let hint = suggestion(name, known.map(String::as_str));
                     self.find(
                         Diagnostic::new(

@@ -24,8 +24,12 @@ impl Lowering<'_> {
             self.check_identifier(name, &at);
             if name == "always" {
                 self.find(
-                    Diagnostic::new(Code::DuplicateName, Spot::Key(at), "`always` lifts a condition and cannot name one")
-                        .help("choose another name"),
+                    Diagnostic::new(
+                        Code::DuplicateName,
+                        Spot::Key(at),
+                        "`always` lifts a condition and cannot name one",
+                    )
+                    .help("choose another name"),
                 );
             }
             self.condition_names.insert(name.clone(), ConditionId(index));
@@ -107,9 +111,13 @@ impl Lowering<'_> {
             Err(problem) => {
                 let before = text.get(..problem.at.start).unwrap_or(text);
                 self.find(
-                    Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), format!("this is no condition: {}", problem.what))
-                        .label(format!("after `{}`", before.trim_end()))
-                        .help("a condition compares fields: `CON.OPMOD == configuration && !FLTCON.FLTEN[n]`"),
+                    Diagnostic::new(
+                        Code::BadExpression,
+                        Spot::Value(at.clone()),
+                        format!("this is no condition: {}", problem.what),
+                    )
+                    .label(format!("after `{}`", before.trim_end()))
+                    .help("a condition compares fields: `CON.OPMOD == configuration && !FLTCON.FLTEN[n]`"),
                 );
                 None
             }
@@ -127,10 +135,11 @@ impl Lowering<'_> {
             return Some(*id);
         }
         let parsed = self.parse_condition(text, at)?;
-        let expr = self.resolve(&parsed, message, at, &mut |this, name| match this.condition_names.get(name).copied() {
-            Some(id) => Some(this.out.model.conditions[id.0].expr.clone()),
-            None => this.unknown_condition(name, at),
-        })?;
+        let expr =
+            self.resolve(&parsed, message, at, &mut |this, name| match this.condition_names.get(name).copied() {
+                Some(id) => Some(this.out.model.conditions[id.0].expr.clone()),
+                None => this.unknown_condition(name, at),
+            })?;
         let known = self.out.model.conditions.iter().position(|c| !c.named && c.text == text && c.expr == expr);
         if let Some(index) = known {
             return Some(ConditionId(index));
@@ -253,7 +262,9 @@ impl Lowering<'_> {
             (LaneIndex::Fixed(number), Some((first, count))) if number < first || number - first >= count => {
                 Some(format!("`{path}` has no number {number}; the numbers are {first} to {}", first + count - 1))
             }
-            (LaneIndex::Fixed(_) | LaneIndex::Own, None) => Some(format!("`{path}` is not repeated, so it takes no index")),
+            (LaneIndex::Fixed(_) | LaneIndex::Own, None) => {
+                Some(format!("`{path}` is not repeated, so it takes no index"))
+            }
             (LaneIndex::Single, _) if target.lanes.is_some() => {
                 Some(format!("`{path}` has lanes; say which one: `{path}[n]` is the own one"))
             }

@@ -66,7 +66,8 @@ impl Lowering<'_> {
             self.check_identifier(value_name, &place);
             if let Some(other) = variants.iter().find(|v| v.ident.pascal == Ident::new(value_name).pascal) {
                 let title = format!("the enumeration has two values named `{value_name}`");
-                let title = if other.name == *value_name { title } else { format!("{title} (the other is `{}`)", other.name) };
+                let title =
+                    if other.name == *value_name { title } else { format!("{title} (the other is `{}`)", other.name) };
                 self.find(
                     Diagnostic::new(Code::DuplicateName, Spot::Key(place), title)
                         .help("give each value a name of its own, or one entry with a range of values"),
@@ -104,8 +105,12 @@ impl Lowering<'_> {
         let fine = name.chars().any(|c| c.is_ascii_alphanumeric()) && name.is_ascii();
         if !fine {
             self.find(
-                Diagnostic::new(Code::BadIdentifier, Spot::Key(at.clone()), format!("`{name}` cannot be an identifier"))
-                    .help("use ASCII letters, digits and underscores"),
+                Diagnostic::new(
+                    Code::BadIdentifier,
+                    Spot::Key(at.clone()),
+                    format!("`{name}` cannot be an identifier"),
+                )
+                .help("use ASCII letters, digits and underscores"),
             );
         }
     }

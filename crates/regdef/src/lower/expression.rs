@@ -21,7 +21,13 @@ pub(super) enum Parsed {
     Any(Vec<Parsed>),
     /// A name alone: another condition.
     Name(String),
-    Compare { register: String, field: String, index: LaneIndex, comparison: Comparison, value: Literal },
+    Compare {
+        register: String,
+        field: String,
+        index: LaneIndex,
+        comparison: Comparison,
+        value: Literal,
+    },
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -214,7 +220,9 @@ mod tests {
 
     #[test]
     fn problems_have_places() {
-        for (text, at) in [("A.B &&", 6), ("A.B = 1", 4), ("(A.B", 4), ("A.", 2), ("A.B C.D", 4), ("A.B[x]", 4), ("", 0)] {
+        for (text, at) in
+            [("A.B &&", 6), ("A.B = 1", 4), ("(A.B", 4), ("A.", 2), ("A.B C.D", 4), ("A.B[x]", 4), ("", 0)]
+        {
             assert_eq!(parse(text).expect_err(text).at.start, at, "{text}");
         }
         let deep = "!".repeat(100_000) + "A.B";

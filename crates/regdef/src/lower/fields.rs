@@ -172,7 +172,14 @@ impl Lowering<'_> {
         })
     }
 
-    fn access(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, index: usize) -> Option<Access> {
+    fn access(
+        &mut self,
+        name: &str,
+        text: &syntax::Field,
+        at: &Path,
+        outer: &Outer<'_>,
+        index: usize,
+    ) -> Option<Access> {
         let Some(code) = text.access.or(outer.access) else {
             self.find(
                 Diagnostic::new(Code::NoAccess, Spot::Key(at.clone()), format!("`{name}` has no access code"))
@@ -181,7 +188,8 @@ impl Lowering<'_> {
             );
             return None;
         };
-        let mismatch = |key: &str, title: String| Diagnostic::new(Code::AccessMismatch, Spot::Value(at.key(key)), title);
+        let mismatch =
+            |key: &str, title: String| Diagnostic::new(Code::AccessMismatch, Spot::Value(at.key(key)), title);
         if let Some(on_read) = text.on_read {
             if !code.readable() {
                 self.find(mismatch("on_read", format!("`{name}` cannot be read, so a read can have no effect on it")));
@@ -217,8 +225,11 @@ impl Lowering<'_> {
         }
         if text.write_loads.is_some() && code != AccessCode::Wclr {
             self.find(
-                mismatch("write_loads", format!("`{name}` has access `{}`; only `wclr` loads on a write", code.as_str()))
-                    .help("use `access: wclr` for a field that any write clears or presets"),
+                mismatch(
+                    "write_loads",
+                    format!("`{name}` has access `{}`; only `wclr` loads on a write", code.as_str()),
+                )
+                .help("use `access: wclr` for a field that any write clears or presets"),
             );
         }
         if text.safe_to_write_back.is_some() && code.neutral() != crate::model::Neutral::None && code.writable() {
@@ -236,7 +247,14 @@ impl Lowering<'_> {
         let set_when = rule(&text.set_when, None, "set_when").filter(|_| writable);
         let loads = rule(&text.write_loads, None, "write_loads");
         if when.is_some() || set_when.is_some() || loads.is_some() {
-            self.pending.push(PendingRules { holder: outer.holder, field: index, at: at.clone(), when, set_when, loads });
+            self.pending.push(PendingRules {
+                holder: outer.holder,
+                field: index,
+                at: at.clone(),
+                when,
+                set_when,
+                loads,
+            });
         }
         Some(Access {
             code,
@@ -309,7 +327,14 @@ impl Lowering<'_> {
         Kind::Enum(id)
     }
 
-    fn field_reset(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, width: u32) -> FieldReset {
+    fn field_reset(
+        &mut self,
+        name: &str,
+        text: &syntax::Field,
+        at: &Path,
+        outer: &Outer<'_>,
+        width: u32,
+    ) -> FieldReset {
         let capacity = bit_mask(0, width);
         match text.reset {
             Some(syntax::FieldReset::Value(value)) => {
@@ -351,9 +376,7 @@ impl Lowering<'_> {
             let loads = rules.loads.and_then(|(text, at)| self.field_ref(&text, &at));
             let field = match rules.holder {
                 Holder::Register(id) => self.out.model.registers[id.0].fields.get_mut(rules.field),
-                Holder::Word(id, word) => {
-                    self.out.model.messages[id.0].words[word].fields.get_mut(rules.field)
-                }
+                Holder::Word(id, word) => self.out.model.messages[id.0].words[word].fields.get_mut(rules.field),
             };
             let Some(field) = field else { continue };
             field.access.when = when;
@@ -362,12 +385,9 @@ impl Lowering<'_> {
             if let (Some(own), Some(target)) = (own, loads)
                 && self.out.model.field(own).width != self.out.model.field(target).width
             {
-                let title = format!("`{}` is not as wide as the field that loads it", self.out.model.field_path(target));
-                self.find(Diagnostic::new(
-                    Code::AccessMismatch,
-                    Spot::Value(rules.at.key("write_loads")),
-                    title,
-                ));
+                let title =
+                    format!("`{}` is not as wide as the field that loads it", self.out.model.field_path(target));
+                self.find(Diagnostic::new(Code::AccessMismatch, Spot::Value(rules.at.key("write_loads")), title));
             }
         }
     }

@@ -72,8 +72,12 @@ impl Lowering<'_> {
     pub(super) fn check_parts(&mut self, count: usize, width: u32, at: &Path) -> bool {
         if count < 2 {
             self.find(
-                Diagnostic::new(Code::OutOfRange, Spot::Value(at.key("parts")), "a joined value has at least two parts")
-                    .help("list the parts with the least significant one first"),
+                Diagnostic::new(
+                    Code::OutOfRange,
+                    Spot::Value(at.key("parts")),
+                    "a joined value has at least two parts",
+                )
+                .help("list the parts with the least significant one first"),
             );
             return false;
         }

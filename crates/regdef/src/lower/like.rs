@@ -24,9 +24,13 @@ impl Lowering<'_> {
             if chain.contains(&like.register) {
                 let cycle = chain.join(" → ");
                 self.find(
-                    Diagnostic::new(Code::LikeCycle, Spot::Value(at), format!("`like` leads back to `{}`", like.register))
-                        .label(format!("{cycle} → {}", like.register))
-                        .help("one register of the circle has to list its fields itself"),
+                    Diagnostic::new(
+                        Code::LikeCycle,
+                        Spot::Value(at),
+                        format!("`like` leads back to `{}`", like.register),
+                    )
+                    .label(format!("{cycle} → {}", like.register))
+                    .help("one register of the circle has to list its fields itself"),
                 );
                 return None;
             }
@@ -104,7 +108,8 @@ pub(super) struct Replace<'a> {
 
 impl<'a> Replace<'a> {
     pub(super) fn new(pairs: &'a IndexMap<String, String>) -> Self {
-        let mut pairs: Vec<_> = pairs.iter().map(|(a, b)| (a.as_str(), b.as_str())).filter(|(a, _)| !a.is_empty()).collect();
+        let mut pairs: Vec<_> =
+            pairs.iter().map(|(a, b)| (a.as_str(), b.as_str())).filter(|(a, _)| !a.is_empty()).collect();
         pairs.sort_by_key(|(from, _)| std::cmp::Reverse(from.len()));
         Self { pairs }
     }

@@ -6,9 +6,7 @@ use super::fields::{Holder, Outer};
 use super::joined::field_bits;
 use super::{Lowering, Origin};
 use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
-use crate::model::{
-    AccessCode, Ident, Joined, Memory, Message, MessageId, Part, Payload, Section, SectionStart, Word,
-};
+use crate::model::{AccessCode, Ident, Joined, Memory, Message, MessageId, Part, Payload, Section, SectionStart, Word};
 use crate::path::Path;
 use crate::syntax;
 
@@ -29,8 +27,12 @@ impl Lowering<'_> {
         self.check_identifier(name, &at);
         if !matches!(text.word, 8 | 16 | 32) {
             self.find(
-                Diagnostic::new(Code::OutOfRange, Spot::Value(at.key("word")), format!("a word cannot have {} bits", text.word))
-                    .label("has to be 8, 16 or 32"),
+                Diagnostic::new(
+                    Code::OutOfRange,
+                    Spot::Value(at.key("word")),
+                    format!("a word cannot have {} bits", text.word),
+                )
+                .label("has to be 8, 16 or 32"),
             );
         }
         let word_width = u32::from(text.word.clamp(8, 32));
@@ -95,7 +97,8 @@ impl Lowering<'_> {
                 word.present_when = condition;
             }
         }
-        message.payload = text.payload.as_ref().map(|p| self.payload(p, &at.key("payload"), &cites)).or(message.payload);
+        message.payload =
+            text.payload.as_ref().map(|p| self.payload(p, &at.key("payload"), &cites)).or(message.payload);
         let last = message.words.iter().map(|w| w.offset + u64::from(word_width / 8)).max().unwrap_or(0);
         message.header_bytes = message.payload.as_ref().map_or(last, |p| p.offset);
         for (joined_name, joined) in &text.joined {
@@ -157,7 +160,16 @@ impl Lowering<'_> {
         fields.extend(own);
         paths.extend(own_paths);
         let ident = Ident::new(&format!("{}_{name}", message.name));
-        let word = Word { name: name.to_owned(), ident, same_as, offset: text.offset.0, doc, cites, present_when: None, fields };
+        let word = Word {
+            name: name.to_owned(),
+            ident,
+            same_as,
+            offset: text.offset.0,
+            doc,
+            cites,
+            present_when: None,
+            fields,
+        };
         // Rules of the fields look the word up in the model.
         let known = &mut self.out.model.messages[id.0];
         if position < known.words.len() {
@@ -184,7 +196,8 @@ impl Lowering<'_> {
     fn word_ref(&mut self, reference: &str, limit: MessageId, at: &Path) -> Option<(MessageId, usize)> {
         let (message, word) = reference.split_once('.').unwrap_or((reference, ""));
         let id = self.message_ref(message, at)?;
-        let found = (id < limit).then(|| self.out.model.messages[id.0].words.iter().position(|w| w.name == word)).flatten();
+        let found =
+            (id < limit).then(|| self.out.model.messages[id.0].words.iter().position(|w| w.name == word)).flatten();
         if found.is_none() {
             self.find(
                 Diagnostic::new(
@@ -201,7 +214,11 @@ impl Lowering<'_> {
     fn payload(&mut self, text: &syntax::Payload, at: &Path, outer_cites: &[crate::model::Cite]) -> Payload {
         let own = self.cite(text.cite.as_ref(), at);
         if text.sizes.is_empty() {
-            self.find(Diagnostic::new(Code::OutOfRange, Spot::Value(at.key("sizes")), "a payload has at least one size"));
+            self.find(Diagnostic::new(
+                Code::OutOfRange,
+                Spot::Value(at.key("sizes")),
+                "a payload has at least one size",
+            ));
         }
         Payload {
             offset: text.offset.0,
@@ -214,7 +231,13 @@ impl Lowering<'_> {
         }
     }
 
-    fn message_joined(&mut self, message: &Message, name: &str, text: &syntax::Joined, at: &Path) -> Option<Joined<usize>> {
+    fn message_joined(
+        &mut self,
+        message: &Message,
+        name: &str,
+        text: &syntax::Joined,
+        at: &Path,
+    ) -> Option<Joined<usize>> {
         let mut parts = Vec::new();
         let mut shift = 0;
         for (index, reference) in text.parts.iter().enumerate() {
@@ -288,9 +311,13 @@ impl Lowering<'_> {
                 let behind = word.offset >= end && payload.sizes.len() == 1;
                 if word.offset + bytes > payload.offset && !behind {
                     self.find(
-                        Diagnostic::new(Code::RegisterOverlap, place, format!("`{}` reaches into the payload", word.name))
-                            .also(Spot::Value(at.key("payload").key("offset")), "the payload starts here")
-                            .help("a word can follow the payload only if the payload has one size"),
+                        Diagnostic::new(
+                            Code::RegisterOverlap,
+                            place,
+                            format!("`{}` reaches into the payload", word.name),
+                        )
+                        .also(Spot::Value(at.key("payload").key("offset")), "the payload starts here")
+                        .help("a word can follow the payload only if the payload has one size"),
                     );
                 }
             }

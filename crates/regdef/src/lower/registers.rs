@@ -7,8 +7,8 @@ use super::like::Expanded;
 use super::{Lowering, Origin};
 use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
 use crate::model::{
-    Capabilities, Cluster, ClusterId, Dim, Field, FieldReset, Ident, Register, RegisterId, Reset, ReservedRange, Window,
-    WindowId, bit_mask,
+    Capabilities, Cluster, ClusterId, Dim, Field, FieldReset, Ident, Register, RegisterId, ReservedRange, Reset,
+    Window, WindowId, bit_mask,
 };
 use crate::path::Path;
 use crate::syntax;
@@ -52,7 +52,8 @@ impl Lowering<'_> {
             let (register, origin) = self.register(id, name, &expanded, &at, cluster);
             for (index, field) in register.fields.iter().enumerate() {
                 if let Some(id) = field.enumeration() {
-                    let at = crate::model::FieldRef { register: RegisterId(self.out.model.registers.len()), field: index };
+                    let at =
+                        crate::model::FieldRef { register: RegisterId(self.out.model.registers.len()), field: index };
                     self.out.model.enums[id.0].used_by.push(at);
                 }
             }
@@ -77,9 +78,13 @@ impl Lowering<'_> {
         };
         if text.offset.is_none() && !text.device {
             self.find(
-                Diagnostic::new(Code::MissingKey, Spot::Key(at.clone()), format!("the register `{name}` has no `offset`"))
-                    .label("`offset` is missing here")
-                    .help("only a register of the device, with `device: true`, has no offset"),
+                Diagnostic::new(
+                    Code::MissingKey,
+                    Spot::Key(at.clone()),
+                    format!("the register `{name}` has no `offset`"),
+                )
+                .label("`offset` is missing here")
+                .help("only a register of the device, with `device: true`, has no offset"),
             );
         }
         if text.offset.is_some() && text.device {
@@ -174,7 +179,10 @@ impl Lowering<'_> {
                             Diagnostic::new(
                                 Code::ResetContradicts,
                                 Spot::Value(path.key("reset")),
-                                format!("`{name}.{}` resets to {value:#x} here, but the register's reset has {said:#x}", field.name),
+                                format!(
+                                    "`{name}.{}` resets to {value:#x} here, but the register's reset has {said:#x}",
+                                    field.name
+                                ),
                             )
                             .also(Spot::Value(at.key("reset")), "the register's reset")
                             .help("correct the wrong one, or keep only the one that the manual prints"),
@@ -307,7 +315,11 @@ impl Lowering<'_> {
             let at = Path::root().key("reserved").index(index);
             let cites = self.cite(range.cite.as_ref(), &at);
             if range.from > range.to {
-                self.find(Diagnostic::new(Code::BadRange, Spot::Value(at.key("from")), "the range ends before it starts"));
+                self.find(Diagnostic::new(
+                    Code::BadRange,
+                    Spot::Value(at.key("from")),
+                    "the range ends before it starts",
+                ));
                 continue;
             }
             let window = range.window.as_ref().and_then(|name| self.window_ref(name, &at.key("window")));

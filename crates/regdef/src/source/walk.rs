@@ -19,7 +19,11 @@ struct Open {
 
 enum Content {
     List(Vec<Value>),
-    Mapping { entries: Map<String, Value>, keys: HashMap<String, Range<usize>>, pending: Option<(String, Range<usize>)> },
+    Mapping {
+        entries: Map<String, Value>,
+        keys: HashMap<String, Range<usize>>,
+        pending: Option<(String, Range<usize>)>,
+    },
 }
 
 struct Walk<'a> {
@@ -77,7 +81,8 @@ impl Walk<'_> {
     fn syntax_error(&mut self, marker: saphyr_parser::Marker, info: &str) {
         let at = self.offset(marker);
         let line_start = self.text[..at].rfind('\n').map_or(0, |at| at + 1);
-        let indent_end = self.text[line_start..].find(|c| c != ' ' && c != '\t').map_or(self.text.len(), |n| line_start + n);
+        let indent_end =
+            self.text[line_start..].find(|c| c != ' ' && c != '\t').map_or(self.text.len(), |n| line_start + n);
         if let Some(tab) = self.text[line_start..indent_end].find('\t') {
             let tab = line_start + tab;
             self.findings.push(
@@ -101,8 +106,12 @@ impl Walk<'_> {
                 self.documents += 1;
                 if self.documents > 1 {
                     self.findings.push(
-                        Diagnostic::new(Code::SeveralDocuments, Spot::Bytes(range), "a second YAML document starts here")
-                            .help("put each controller into a file of its own"),
+                        Diagnostic::new(
+                            Code::SeveralDocuments,
+                            Spot::Bytes(range),
+                            "a second YAML document starts here",
+                        )
+                        .help("put each controller into a file of its own"),
                     );
                     return false;
                 }
@@ -154,8 +163,12 @@ impl Walk<'_> {
     fn start(&mut self, start: usize, content: Content) -> bool {
         if self.open.len() >= MAX_DEPTH {
             self.findings.push(
-                Diagnostic::new(Code::TooDeep, Spot::Bytes(start..start + 1), format!("nesting is deeper than {MAX_DEPTH}"))
-                    .help("no construct of the language is nested this deep; look for unbalanced brackets"),
+                Diagnostic::new(
+                    Code::TooDeep,
+                    Spot::Bytes(start..start + 1),
+                    format!("nesting is deeper than {MAX_DEPTH}"),
+                )
+                .help("no construct of the language is nested this deep; look for unbalanced brackets"),
             );
             return false;
         }
@@ -186,7 +199,8 @@ impl Walk<'_> {
     }
 
     fn scalar(&mut self, text: &str, style: ScalarStyle, range: Range<usize>) -> bool {
-        if let Some(Open { content: Content::Mapping { keys, pending: pending @ None, .. }, .. }) = self.open.last_mut() {
+        if let Some(Open { content: Content::Mapping { keys, pending: pending @ None, .. }, .. }) = self.open.last_mut()
+        {
             let key = match typed(text, style) {
                 Value::Number(number) => number.to_string(),
                 _ => text.to_owned(),
@@ -246,7 +260,8 @@ fn typed(text: &str, style: ScalarStyle) -> Value {
     if let Ok(number) = text.parse::<i64>() {
         return Value::Number(number.into());
     }
-    let looks_float = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) && text.contains(['.', 'e', 'E']);
+    let looks_float =
+        text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) && text.contains(['.', 'e', 'E']);
     if looks_float && let Some(number) = text.parse().ok().and_then(Number::from_f64) {
         return Value::Number(number);
     }
