@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::Field;
 use crate::path::Path;
@@ -15,7 +15,7 @@ const METHODS: [&str; 10] =
 
 struct Names<'a> {
     seen: HashMap<String, (String, Path)>,
-    findings: &'a mut Vec<Diagnostic>,
+    findings: &'a mut Findings,
 }
 
 impl Names<'_> {
@@ -42,7 +42,7 @@ impl Names<'_> {
     }
 }
 
-pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn clashes(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     types(lowered, findings);
     let mut methods = Names { seen: HashMap::new(), findings };
@@ -79,7 +79,7 @@ pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn types(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+fn types(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     let mut types = Names { seen: HashMap::new(), findings };
     types.reserve(&TYPES, "a type of the generated code");
@@ -106,7 +106,7 @@ fn types(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn fields(fields: &[Field], paths: &[Path], findings: &mut Vec<Diagnostic>) {
+fn fields(fields: &[Field], paths: &[Path], findings: &mut Findings) {
     let mut names = Names { seen: HashMap::new(), findings };
     names.reserve(&METHODS, "a method of every register value");
     for (field, path) in fields.iter().zip(paths) {

@@ -59,7 +59,13 @@ struct Parser {
     end: usize,
 }
 
+/// Longest expression in bytes.
+const MAX_LENGTH: usize = 2000;
+
 pub(super) fn parse(text: &str) -> Result<Parsed, Problem> {
+    if text.len() > MAX_LENGTH {
+        return Err(Problem { at: 0..0, what: format!("it is longer than {MAX_LENGTH} bytes") });
+    }
     let mut parser = Parser { tokens: tokenize(text)?, at: 0, end: text.len() };
     let parsed = parser.any(0)?;
     match parser.tokens.get(parser.at) {
