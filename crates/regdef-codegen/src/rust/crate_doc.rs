@@ -9,16 +9,8 @@ use crate::text;
 
 pub(super) fn lib(model: &Model) -> TokenStream {
     let front = doc::inner(&front_page(model));
-    let messages = (!model.messages.is_empty()).then(|| {
-        quote!(
-            
-        )
-    });
-    let instances = (!model.instances.is_empty()).then(|| {
-        quote!(
-            
-        )
-    });
+    let messages = (!model.messages.is_empty()).then(|| quote!());
+    let instances = (!model.instances.is_empty()).then(|| quote!());
     let peripheral = ident(&model.names.ident.pascal);
     let clusters = model.clusters.iter().map(|c| ident(&c.ident.pascal));
     let resting = super::peripheral::resting_window(model);
