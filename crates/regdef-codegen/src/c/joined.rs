@@ -8,8 +8,8 @@ use super::{Context, access};
 use crate::text;
 
 pub(super) fn emit(context: &Context<'_>, out: &mut Writer) {
-    for joined in &context.model.joined {
-        one(context, out, joined);
+    for (index, joined) in context.model.joined.iter().enumerate() {
+        one(context, out, joined, &context.names.joined(index).to_ascii_lowercase());
     }
 }
 
@@ -61,7 +61,7 @@ pub(super) fn holders<R: Copy + PartialEq>(joined: &Joined<R>) -> Vec<R> {
     holders
 }
 
-fn one(context: &Context<'_>, out: &mut Writer, joined: &Joined) {
+fn one(context: &Context<'_>, out: &mut Writer, joined: &Joined, stem: &str) {
     let model = context.model;
     let holders = holders(joined);
     let targets: Option<Vec<access::Target>> = holders.iter().map(|&id| access::target(context, id)).collect();
@@ -70,7 +70,6 @@ fn one(context: &Context<'_>, out: &mut Writer, joined: &Joined) {
     let order: Vec<&str> = holders.iter().map(|&id| model.register(id).label.as_str()).collect();
     let order = format!("Accessed in the order {}.", order.join(", ").replace("{n}", "n"));
     out.comment(&[format!("{}: {}", joined.name, text::sentence(&joined.doc)), order, text::cites(&joined.cites)]);
-    let stem = format!("{}_{}", context.lower, joined.ident.upper.to_ascii_lowercase());
     let width_of = |id: RegisterId| model.register(id).width;
     if holders.iter().all(|&id| model.register(id).capabilities.readable) {
         let mut body = Vec::new();

@@ -14,9 +14,7 @@ use super::write::Writer;
 const MODULES: std::ops::RangeInclusive<u32> = 1..=2;
 
 pub(super) fn emit(context: &Context<'_>, out: &mut Writer) {
-    let Some(letter) = context.model.prefix.strip_suffix(['x', 'i', 'n']).filter(|letter| !letter.is_empty()) else {
-        return;
-    };
+    let Some(letter) = letter(context) else { return };
     let upper = &context.upper;
     out.comment(&[
         format!("The manufacturer's names, such as {letter}1CON and {letter}1CONbits, over the same layout."),
@@ -44,6 +42,11 @@ pub(super) fn emit(context: &Context<'_>, out: &mut Writer) {
     }
     out.line("#endif");
     out.blank();
+}
+
+/// The prefix without the placeholder of the number; only controllers that have one have these names.
+fn letter<'m>(context: &Context<'m>) -> Option<&'m str> {
+    context.model.prefix.strip_suffix(['x', 'i', 'n']).filter(|letter| !letter.is_empty())
 }
 
 /// Arrays inside clusters have no name of their own in these headers.
@@ -74,6 +77,44 @@ fn assignable(register: &Register) -> bool {
                 WriteEffect::OneClears | WriteEffect::ZeroClears | WriteEffect::Resets
             ) && (field.access.neutral() != Neutral::None || field.access.code.write_effect() == WriteEffect::Requests)
         })
+}
+
+/// One field of a bit-field view.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BitField {
+    /// The type of the view.
+    pub view: String,
+    /// The member.
+    pub member: String,
+    /// The bits it has to have.
+    pub mask: u64,
+    /// Width of the container.
+    pub width: u32,
+}
+
+/// Every field of every view in the header, in order; empty for a controller without these names.
+pub(super) fn bit_fields(context: &Context<'_>) -> Vec<BitField> {
+    if letter(context).is_none() {
+        return Vec::new();
+    }
+    let mut all = Vec::new();
+    for at in context.model.instances_of_registers() {
+        if !unique(context, at) || !first_of_view(context, &at) {
+            continue;
+        }
+        let register = context.model.register(at.register);
+        for field in &register.fields {
+            for lane in 0..field.lane_count() {
+                all.push(BitField {
+                    view: view_name(context, &at),
+                    member: identifier(&field.label_of(at.position(context.model), lane)),
+                    mask: field.lane_mask(lane),
+                    width: register.width,
+                });
+            }
+        }
+    }
+    all
 }
 
 fn view(context: &Context<'_>, out: &mut Writer, at: &Placed) {
