@@ -1,5 +1,6 @@
 //! Emitters: a checked [`regdef::model::Model`] in, text out. No emitter reads or writes a file.
 
+pub mod c;
 pub mod rust;
 pub mod svd;
 pub mod table;
