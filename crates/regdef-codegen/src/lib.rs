@@ -1,7 +1,11 @@
-//! Emitters: a checked [`regdef::model::Model`] in, text out. No emitter reads or writes a file.
+//! Emitters over the checked model: model in, text out.
 
+pub mod c;
 pub mod html;
 pub mod language;
+pub mod svd;
+pub mod table;
+mod text;
 
 /// A file that an emitter made.
 #[derive(Debug, Clone, PartialEq, Eq)]

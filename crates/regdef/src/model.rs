@@ -19,7 +19,7 @@ pub use expr::{Comparison, Condition, Expr, LaneIndex};
 pub use memory::{Memory, Message, Payload, Section, SectionStart, Word};
 pub use names::{Ident, Names};
 pub use register::{
-    Capabilities, Cluster, Dim, Enum, EnumVariant, Field, FieldReset, Kind, Lanes, NoModify, Register, Reset,
+    Capabilities, Cluster, Dim, Enum, EnumVariant, Field, FieldReset, Kind, Lanes, NoModify, Register, Reset, bit_mask,
     ReservedRange, Window,
 };
 

@@ -28,7 +28,7 @@ pub(super) fn view(book: &Book<'_>) -> Value {
             flag => safe(book.field_link(source.flag)), enable => source.enable.map(|at| safe(book.field_link(at))),
             select => source.select.map(|at| safe(book.field_link(at))), reaches => safe(reaches.collect::<Vec<_>>().join(", ")),
             fed_by => safe(fed.map(|(i, _)| source_link(InterruptId(i))).collect::<Vec<_>>().join(", ")),
-            code => source.code, cleared_by => safe(book.inline(&source.cleared_by, None)), cites => safe(book.cites(&source.cites)),
+            code => source.code.map(|(first, last)| if first == last { first.to_string() } else { format!("{first}–{last}") }), cleared_by => safe(book.inline(&source.cleared_by, None)), cites => safe(book.cites(&source.cites)),
         }
     });
     context! {

@@ -1,7 +1,6 @@
 //! The types of the language as the JSON schema tells them.
 
 use minijinja::{Value, context};
-use regdef::syntax::Description;
 use serde_json::Value as Json;
 
 /// A mapping, a choice of forms, or a set of words.
@@ -35,7 +34,7 @@ pub(super) enum Piece {
 
 /// All types, the top level first, then as they are first mentioned.
 pub(super) fn types() -> Vec<TypeDoc> {
-    let schema = Json::from(schemars::schema_for!(Description));
+    let schema = regdef::schema();
     let root = TypeDoc::new("Description", &schema, &schema["$defs"]);
     let mut all = vec![root];
     let mut next = 0;

@@ -136,7 +136,7 @@ codes! {
     ConditionLock = "W103",
     /// A declaration is used nowhere.
     Unused = "W104",
-    /// A citation gives neither section, register, table, figure, example, equation nor source.
+    /// A citation gives neither section, register, table, figure, example, equation, source nor note.
     VagueCitation = "W105",
     /// An enumeration leaves values unnamed that are not reserved either.
     UnnamedValues = "W106",

@@ -1,6 +1,6 @@
 //! Conditions as trees over fields.
 
-use super::{Cite, FieldRef, Model};
+use super::{Cite, Field, FieldRef, MessageId, Model};
 
 /// A condition on the state of the registers.
 #[derive(Debug, Clone)]
@@ -30,6 +30,19 @@ pub enum Expr {
         field: FieldRef,
         /// Which element or lane, for a field that has several.
         index: LaneIndex,
+        /// How.
+        comparison: Comparison,
+        /// With what.
+        value: u64,
+    },
+    /// A field of a word of the message that the condition stands in, compared with a number.
+    Word {
+        /// The message.
+        message: MessageId,
+        /// Index into the message's words.
+        word: usize,
+        /// Index into the word's fields.
+        field: usize,
         /// How.
         comparison: Comparison,
         /// With what.
@@ -87,10 +100,10 @@ impl Comparison {
 }
 
 impl Expr {
-    /// Every field the expression looks at.
+    /// Every field of a register the expression looks at.
     pub fn fields(&self) -> Vec<FieldRef> {
         match self {
-            Self::Always => Vec::new(),
+            Self::Always | Self::Word { .. } => Vec::new(),
             Self::Compare { field, .. } => vec![*field],
             Self::Not(inner) => inner.fields(),
             Self::All(of) | Self::Any(of) => of.iter().flat_map(Self::fields).collect(),
@@ -120,13 +133,21 @@ impl Expr {
                     LaneIndex::Own => format!("{path}[n]"),
                     LaneIndex::Fixed(n) => format!("{path}[{n}]"),
                 };
-                let target = model.field(*field);
-                if target.width == 1 && target.enumeration().is_none() && *comparison == Comparison::Equal {
-                    return if *value == 1 { path } else { format!("!{path}") };
-                }
-                let name = target.enumeration().and_then(|id| model.enumeration(id).variant(*value)).map(|v| v.name.clone());
-                format!("{path} {} {}", comparison.as_str(), name.unwrap_or_else(|| value.to_string()))
+                compared(model, path, model.field(*field), *comparison, *value)
+            }
+            Self::Word { message, word, field, comparison, value } => {
+                let word = &model.messages[message.0].words[*word];
+                let field = &word.fields[*field];
+                compared(model, format!("{}.{}", word.name, field.name), field, *comparison, *value)
             }
         }
     }
+}
+
+fn compared(model: &Model, path: String, field: &Field, comparison: Comparison, value: u64) -> String {
+    if field.width == 1 && field.enumeration().is_none() && comparison == Comparison::Equal {
+        return if value == 1 { path } else { format!("!{path}") };
+    }
+    let name = field.enumeration().and_then(|id| model.enumeration(id).variant(value)).map(|v| v.name.clone());
+    format!("{path} {} {}", comparison.as_str(), name.unwrap_or_else(|| value.to_string()))
 }

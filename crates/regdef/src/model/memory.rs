@@ -31,7 +31,9 @@ impl Message {
     /// Bytes of a whole element with a payload of `data` bytes.
     #[must_use]
     pub fn element_bytes(&self, data: u32) -> u64 {
-        self.header_bytes + self.payload.as_ref().map_or(0, |_| u64::from(data))
+        let with_payload = self.header_bytes + self.payload.as_ref().map_or(0, |_| u64::from(data));
+        let last_word = self.words.iter().map(|w| w.offset + u64::from(self.word_width / 8)).max().unwrap_or(0);
+        with_payload.max(last_word)
     }
 }
 

@@ -187,7 +187,11 @@ impl Walk<'_> {
 
     fn scalar(&mut self, text: &str, style: ScalarStyle, range: Range<usize>) -> bool {
         if let Some(Open { content: Content::Mapping { keys, pending: pending @ None, .. }, .. }) = self.open.last_mut() {
-            if let Some(first) = keys.get(text) {
+            let key = match typed(text, style) {
+                Value::Number(number) => number.to_string(),
+                _ => text.to_owned(),
+            };
+            if let Some(first) = keys.get(&key) {
                 self.findings.push(
                     Diagnostic::new(Code::DuplicateKey, Spot::Bytes(range), format!("the key `{text}` stands twice"))
                         .label("again here")
@@ -196,8 +200,8 @@ impl Walk<'_> {
                 );
                 return false;
             }
-            keys.insert(text.to_owned(), range.clone());
-            *pending = Some((text.to_owned(), range));
+            keys.insert(key.clone(), range.clone());
+            *pending = Some((key, range));
             return true;
         }
         let (path, key) = self.here();

@@ -110,22 +110,25 @@ impl JsonSchema for BitRange {
 }
 
 /// The value or the range of values that one entry of an enumeration names: `3` or `"0..31"` (both ends included).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ValueKey {
     /// First value.
     pub first: u64,
     /// Last value; equal to `first` for a single value.
     pub last: u64,
+    /// The key as positions are filed under it.
+    pub spelling: String,
 }
 
 impl ValueKey {
     /// Reads `3`, `0x40`, `0b101` or `0..31`.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
-        match text.split_once("..") {
-            Some((first, last)) => Some(Self { first: Int::parse(first.trim())?, last: Int::parse(last.trim())? }),
-            None => Int::parse(text).map(|v| Self { first: v, last: v }),
-        }
+        let (first, last) = match text.split_once("..") {
+            Some((first, last)) => (Int::parse(first.trim())?, Int::parse(last.trim())?),
+            None => Int::parse(text).map(|v| (v, v))?,
+        };
+        Some(Self { first, last, spelling: text.to_owned() })
     }
 }
 

@@ -1,0 +1,274 @@
+//! Conditions: names and fields of expressions are resolved.
+
+use super::Lowering;
+use super::expression::{Literal, Parsed, parse};
+use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
+use crate::model::{Comparison, Condition, ConditionId, Expr, Field, FieldRef, LaneIndex, MessageId};
+use crate::path::Path;
+use crate::syntax;
+
+/// How far a named condition has been resolved.
+#[derive(Debug, Clone, PartialEq)]
+enum State {
+    Open,
+    Busy,
+    Done(Option<Expr>),
+}
+
+impl Lowering<'_> {
+    /// Resolves the named conditions in the order of the file.
+    pub(super) fn conditions(&mut self) {
+        let text = self.text;
+        for (index, name) in text.conditions.keys().enumerate() {
+            let at = Path::root().key("conditions").key(name);
+            self.check_identifier(name, &at);
+            if name == "always" {
+                self.find(
+                    Diagnostic::new(Code::DuplicateName, Spot::Key(at), "`always` lifts a condition and cannot name one")
+                        .help("choose another name"),
+                );
+            }
+            self.condition_names.insert(name.clone(), ConditionId(index));
+        }
+        let mut states = vec![State::Open; text.conditions.len()];
+        for index in 0..text.conditions.len() {
+            self.resolve_named(index, &mut states, &mut Vec::new());
+        }
+        for (index, (name, condition)) in text.conditions.iter().enumerate() {
+            let at = Path::root().key("conditions").key(name);
+            let (expression, doc, cite) = match condition {
+                syntax::Condition::Expression(text) => (text.clone(), text.clone(), None),
+                syntax::Condition::Full(full) => (full.expression.clone(), full.doc.clone(), full.cite.as_ref()),
+            };
+            let cites = self.cite(cite, &at);
+            let expr = match &states[index] {
+                State::Done(Some(expr)) => expr.clone(),
+                _ => Expr::Always,
+            };
+            let condition = Condition { name: name.clone(), named: true, text: expression, doc, expr, cites };
+            self.out.model.conditions.push(condition);
+            self.out.conditions.push(at);
+        }
+    }
+
+    fn resolve_named(&mut self, index: usize, states: &mut [State], trail: &mut Vec<usize>) -> Option<Expr> {
+        match &states[index] {
+            State::Done(expr) => return expr.clone(),
+            State::Busy => {
+                let names: Vec<_> = self.text.conditions.keys().cloned().collect();
+                let start = trail.iter().position(|i| *i == index).unwrap_or(0);
+                let circle: Vec<_> = trail[start..].iter().chain([&index]).map(|i| names[*i].clone()).collect();
+                let at = Path::root().key("conditions").key(&names[index]);
+                self.find(
+                    Diagnostic::new(
+                        Code::ConditionCycle,
+                        Spot::Key(at),
+                        format!("the condition `{}` depends on itself", names[index]),
+                    )
+                    .label(circle.join(" → "))
+                    .help("state one of them over fields only"),
+                );
+                return None;
+            }
+            State::Open => {}
+        }
+        states[index] = State::Busy;
+        trail.push(index);
+        let (name, condition) = self.text.conditions.get_index(index)?;
+        let at = Path::root().key("conditions").key(name);
+        let (text, at) = match condition {
+            syntax::Condition::Expression(text) => (text, at),
+            syntax::Condition::Full(full) => (&full.expression, at.key("expression")),
+        };
+        let expr = self.parse_condition(text, &at).and_then(|parsed| {
+            self.resolve(&parsed, None, &at, &mut |this, name| match this.condition_names.get(name).copied() {
+                Some(id) => this.resolve_named(id.0, states, trail),
+                None => this.unknown_condition(name, &at),
+            })
+        });
+        trail.pop();
+        states[index] = State::Done(expr.clone());
+        expr
+    }
+
+    fn unknown_condition<T>(&mut self, name: &str, at: &Path) -> Option<T> {
+        let hint = suggestion(name, self.text.conditions.keys().map(String::as_str));
+        self.find(
+            Diagnostic::new(Code::UnknownReference, Spot::Value(at.clone()), format!("there is no condition `{name}`"))
+                .label(hint.unwrap_or_else(|| "unknown condition".to_owned()))
+                .help("declare it under `conditions`, or write an expression over fields: `CCCR.INIT && CCCR.CCE`"),
+        );
+        None
+    }
+
+    fn parse_condition(&mut self, text: &str, at: &Path) -> Option<Parsed> {
+        match parse(text) {
+            Ok(parsed) => Some(parsed),
+            Err(problem) => {
+                let before = text.get(..problem.at.start).unwrap_or(text);
+                self.find(
+                    Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), format!("this is no condition: {}", problem.what))
+                        .label(format!("after `{}`", before.trim_end()))
+                        .help("a condition compares fields: `CON.OPMOD == configuration && !FLTCON.FLTEN[n]`"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The condition that a field names or writes out.
+    pub(crate) fn condition_ref(&mut self, text: &str, at: &Path) -> Option<ConditionId> {
+        self.condition_in(None, text, at)
+    }
+
+    /// The same inside a message, where `WORD.FIELD` names a field of the message's own words.
+    pub(super) fn condition_in(&mut self, message: Option<MessageId>, text: &str, at: &Path) -> Option<ConditionId> {
+        if let Some(id) = self.condition_names.get(text) {
+            return Some(*id);
+        }
+        let parsed = self.parse_condition(text, at)?;
+        let expr = self.resolve(&parsed, message, at, &mut |this, name| match this.condition_names.get(name).copied() {
+            Some(id) => Some(this.out.model.conditions[id.0].expr.clone()),
+            None => this.unknown_condition(name, at),
+        })?;
+        let known = self.out.model.conditions.iter().position(|c| !c.named && c.text == text && c.expr == expr);
+        if let Some(index) = known {
+            return Some(ConditionId(index));
+        }
+        let id = ConditionId(self.out.model.conditions.len());
+        self.out.model.conditions.push(Condition {
+            name: text.to_owned(),
+            named: false,
+            text: text.to_owned(),
+            doc: text.to_owned(),
+            expr,
+            cites: Vec::new(),
+        });
+        self.out.conditions.push(at.clone());
+        Some(id)
+    }
+
+    fn resolve(
+        &mut self,
+        parsed: &Parsed,
+        message: Option<MessageId>,
+        at: &Path,
+        named: &mut dyn FnMut(&mut Self, &str) -> Option<Expr>,
+    ) -> Option<Expr> {
+        let mut list = |this: &mut Self, of: &[Parsed]| -> Option<Vec<Expr>> {
+            let resolved: Vec<_> = of.iter().map(|p| this.resolve(p, message, at, named)).collect();
+            resolved.into_iter().collect()
+        };
+        match parsed {
+            Parsed::Not(inner) => Some(Expr::Not(Box::new(self.resolve(inner, message, at, named)?))),
+            Parsed::All(of) => Some(Expr::All(list(self, of)?)),
+            Parsed::Any(of) => Some(Expr::Any(list(self, of)?)),
+            Parsed::Name(name) => named(self, name),
+            Parsed::Compare { register, field, index, comparison, value } => {
+                if let Some(found) = self.word_field(message, register, field) {
+                    let (message, word, field) = found;
+                    let target = self.out.model.messages[message.0].words[word].fields[field].clone();
+                    let value = self.literal(&target, &format!("{register}.{}", target.name), value, at)?;
+                    let (comparison, value) = plain(*comparison, value, target.width);
+                    return Some(Expr::Word { message, word, field, comparison, value });
+                }
+                let id = self.register_ref(register, at)?;
+                let field = self.field_of(id, field, at)?;
+                let target = self.out.model.field(field).clone();
+                let value = self.literal(&target, &self.out.model.field_path(field), value, at)?;
+                let (comparison, value) = plain(*comparison, value, target.width);
+                self.check_lane(field, *index, at);
+                Some(Expr::Compare { field, index: *index, comparison, value })
+            }
+        }
+    }
+
+    /// The place of `WORD.FIELD` in a message.
+    fn word_field(&self, message: Option<MessageId>, word: &str, field: &str) -> Option<(MessageId, usize, usize)> {
+        let id = message?;
+        let words = &self.out.model.messages[id.0].words;
+        let word = words.iter().position(|w| w.name == word)?;
+        Some((id, word, words[word].fields.iter().position(|f| f.name == field)?))
+    }
+
+    fn literal(&mut self, target: &Field, path: &str, value: &Literal, at: &Path) -> Option<u64> {
+        let capacity = target.capacity();
+        match value {
+            Literal::Number(number) if *number <= capacity => Some(*number),
+            Literal::Number(number) => {
+                self.find(
+                    Diagnostic::new(
+                        Code::OutOfRange,
+                        Spot::Value(at.clone()),
+                        format!("`{path}` is compared with {number}, which it cannot hold"),
+                    )
+                    .label(format!("the largest value is {capacity}")),
+                );
+                None
+            }
+            Literal::Name(name) => {
+                let Some(id) = target.enumeration() else {
+                    self.find(
+                        Diagnostic::new(
+                            Code::UnknownReference,
+                            Spot::Value(at.clone()),
+                            format!("`{path}` has no enumeration, so `{name}` is no value of it"),
+                        )
+                        .help("compare it with a number"),
+                    );
+                    return None;
+                };
+                let entry = self.out.model.enumeration(id);
+                if let Some(variant) = entry.variants.iter().find(|v| v.name == *name) {
+                    return Some(variant.first);
+                }
+                let hint = suggestion(name, entry.variants.iter().map(|v| v.name.as_str()));
+                self.find(
+                    Diagnostic::new(
+                        Code::UnknownReference,
+                        Spot::Value(at.clone()),
+                        format!("`{path}` has no value named `{name}`"),
+                    )
+                    .label(hint.unwrap_or_else(|| "unknown value".to_owned())),
+                );
+                None
+            }
+        }
+    }
+
+    fn check_lane(&mut self, field: FieldRef, index: LaneIndex, at: &Path) {
+        let register = self.out.model.register(field.register);
+        let target = self.out.model.field(field);
+        let elements = match (&register.dim, register.cluster) {
+            (Some(dim), _) => Some((dim.first, dim.count)),
+            (None, Some(id)) => self.out.model.clusters.get(id.0).map(|c| (c.dim.first, c.dim.count)),
+            (None, None) => None,
+        };
+        let numbers = match (target.lanes, elements) {
+            (Some(lanes), elements) => Some((lanes.first, lanes.count * elements.map_or(1, |(_, count)| count))),
+            (None, elements) => elements,
+        };
+        let path = self.out.model.field_path(field);
+        let title = match (index, numbers) {
+            (LaneIndex::Fixed(number), Some((first, count))) if number < first || number - first >= count => {
+                Some(format!("`{path}` has no number {number}; the numbers are {first} to {}", first + count - 1))
+            }
+            (LaneIndex::Fixed(_) | LaneIndex::Own, None) => Some(format!("`{path}` is not repeated, so it takes no index")),
+            (LaneIndex::Single, _) if target.lanes.is_some() => {
+                Some(format!("`{path}` has lanes; say which one: `{path}[n]` is the own one"))
+            }
+            _ => None,
+        };
+        if let Some(title) = title {
+            self.find(Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), title));
+        }
+    }
+}
+
+/// "Is not 0" of a single bit is "is 1".
+fn plain(comparison: Comparison, value: u64, width: u32) -> (Comparison, u64) {
+    match (comparison, value, width) {
+        (Comparison::NotEqual, 0, 1) => (Comparison::Equal, 1),
+        other => (other.0, other.1),
+    }
+}

@@ -1,0 +1,113 @@
+//! Enumerations.
+
+use indexmap::IndexMap;
+
+use super::{Lowering, cites};
+use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::model::{Cite, Enum, EnumId, EnumVariant, Ident};
+use crate::path::Path;
+use crate::syntax::{EnumDef, EnumValue, ValueKey};
+
+impl Lowering<'_> {
+    pub(super) fn enums(&mut self) {
+        let text = self.text;
+        for (name, def) in &text.enums {
+            let at = Path::root().key("enums").key(name);
+            let (doc, cite, values, values_at) = match def {
+                EnumDef::Short(values) => (String::new(), None, values, at.clone()),
+                EnumDef::Full(full) => {
+                    (full.doc.clone().unwrap_or_default(), full.cite.as_ref(), &full.values, at.key("values"))
+                }
+            };
+            self.cite(cite, &at);
+            let id = self.add_enum(name, true, doc, cites(cite), values, &values_at);
+            self.declare(|l| &mut l.enum_names, name, id, "enumeration", &at);
+        }
+    }
+
+    /// Adds an enumeration; `at` is the place of its values.
+    pub(super) fn add_enum(
+        &mut self,
+        name: &str,
+        shared: bool,
+        doc: String,
+        cites: Vec<Cite>,
+        values: &IndexMap<ValueKey, EnumValue>,
+        at: &Path,
+    ) -> EnumId {
+        let mut variants: Vec<EnumVariant> = Vec::new();
+        let mut reserved = Vec::new();
+        let mut taken: Vec<(ValueKey, String)> = Vec::new();
+        for (key, value) in values {
+            let (value_name, value_doc, number) = match value {
+                EnumValue::Name(name) => (name, String::new(), None),
+                EnumValue::Full(full) => (&full.name, full.doc.clone().unwrap_or_default(), full.number.map(|n| n.0)),
+            };
+            let place = at.key(&key.spelling);
+            if key.first > key.last {
+                self.find(
+                    Diagnostic::new(Code::BadRange, Spot::Key(place.clone()), "the range ends before it starts")
+                        .help("write the smaller value first"),
+                );
+                continue;
+            }
+            if let Some((_, other)) = taken.iter().find(|(k, _)| k.first <= key.last && key.first <= k.last) {
+                let title = format!("`{value_name}` has a value that `{other}` has already");
+                self.find(
+                    Diagnostic::new(Code::DuplicateEnumValue, Spot::Key(place.clone()), title)
+                        .help("every value can have one name; note a second meaning in `doc`"),
+                );
+            }
+            taken.push((key.clone(), value_name.clone()));
+            if value_name == "reserved" {
+                reserved.push((key.first, key.last));
+                continue;
+            }
+            self.check_identifier(value_name, &place);
+            if let Some(other) = variants.iter().find(|v| v.ident.pascal == Ident::new(value_name).pascal) {
+                let title = format!("the enumeration has two values named `{value_name}`");
+                let title = if other.name == *value_name { title } else { format!("{title} (the other is `{}`)", other.name) };
+                self.find(
+                    Diagnostic::new(Code::DuplicateName, Spot::Key(place), title)
+                        .help("give each value a name of its own, or one entry with a range of values"),
+                );
+                continue;
+            }
+            variants.push(EnumVariant {
+                name: value_name.clone(),
+                ident: Ident::new(value_name),
+                doc: value_doc,
+                first: key.first,
+                last: key.last,
+                number,
+            });
+        }
+        variants.sort_by_key(|v| v.first);
+        reserved.sort_unstable();
+        let id = EnumId(self.out.model.enums.len());
+        self.out.model.enums.push(Enum {
+            name: name.to_owned(),
+            ident: Ident::new(name),
+            shared,
+            doc,
+            cites,
+            width: 0,
+            variants,
+            reserved,
+            used_by: Vec::new(),
+        });
+        self.out.enums.push(at.clone());
+        id
+    }
+
+    /// Reports a name that has no letter to start an identifier with.
+    pub(super) fn check_identifier(&mut self, name: &str, at: &Path) {
+        let fine = name.chars().any(|c| c.is_ascii_alphanumeric()) && name.is_ascii();
+        if !fine {
+            self.find(
+                Diagnostic::new(Code::BadIdentifier, Spot::Key(at.clone()), format!("`{name}` cannot be an identifier"))
+                    .help("use ASCII letters, digits and underscores"),
+            );
+        }
+    }
+}

@@ -1,0 +1,374 @@
+//! Fields.
+
+use indexmap::IndexMap;
+
+use super::{Lowering, cites};
+use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
+use crate::model::{
+    Access, AccessCode, Cite, Field, FieldRef, FieldReset, Ident, Kind, Lanes, MessageId, RegisterId, bit_mask,
+};
+use crate::path::Path;
+use crate::syntax::{self, BitRange};
+
+/// What holds a field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Holder {
+    Register(RegisterId),
+    Word(MessageId, usize),
+}
+
+/// Rules of a field that name other fields.
+pub(crate) struct PendingRules {
+    pub holder: Holder,
+    pub field: usize,
+    pub at: Path,
+    pub when: Option<(String, Path)>,
+    pub set_when: Option<(String, Path)>,
+    pub loads: Option<(String, Path)>,
+}
+
+/// What a field takes from its register or word.
+pub(super) struct Outer<'a> {
+    pub name: &'a str,
+    /// What the names of the fields' own enumerations start with.
+    pub enum_prefix: &'a str,
+    pub at: &'a Path,
+    pub width: u32,
+    pub access: Option<AccessCode>,
+    pub when: Option<&'a str>,
+    pub cites: &'a [Cite],
+    /// The register gives the reset of all its fields.
+    pub has_reset: bool,
+    pub holder: Holder,
+}
+
+impl Lowering<'_> {
+    pub(super) fn fields(
+        &mut self,
+        list: &IndexMap<String, syntax::Field>,
+        origins: &IndexMap<String, Path>,
+        outer: &Outer<'_>,
+    ) -> (Vec<Field>, Vec<Path>) {
+        let mut fields = Vec::new();
+        let mut paths = Vec::new();
+        for (name, text) in list {
+            let at = origins.get(name).cloned().unwrap_or_else(|| outer.at.key("fields").key(name));
+            if let Some(field) = self.field(name, text, &at, outer, fields.len()) {
+                fields.push(field);
+                paths.push(at);
+            }
+        }
+        (fields, paths)
+    }
+
+    fn field(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, index: usize) -> Option<Field> {
+        let BitRange { msb, lsb } = text.bits;
+        let bits_at = Spot::Value(at.key("bits"));
+        if msb < lsb {
+            self.find(
+                Diagnostic::new(Code::ReversedBits, bits_at, format!("the bits of `{name}` are written upside down"))
+                    .label(format!("write \"{lsb}:{msb}\""))
+                    .help("the most significant bit comes first, as on the register's page"),
+            );
+            return None;
+        }
+        let width = msb - lsb + 1;
+        let lanes = match text.lanes {
+            Some(lanes) => {
+                let stride = lanes.stride.unwrap_or(width);
+                if lanes.count == 0 || lanes.count > 64 {
+                    self.find(
+                        Diagnostic::new(
+                            Code::OutOfRange,
+                            Spot::Value(at.key("lanes").key("count")),
+                            format!("a field cannot have {} lanes", lanes.count),
+                        )
+                        .label("has to be 1 to 64"),
+                    );
+                    return None;
+                }
+                if stride < width {
+                    self.find(
+                        Diagnostic::new(
+                            Code::StrideTooSmall,
+                            Spot::Value(at.key("lanes").key("stride")),
+                            format!("the lanes of `{name}` overlap: {width} bits wide, {stride} apart"),
+                        )
+                        .label(format!("has to be at least {width}")),
+                    );
+                    return None;
+                }
+                Some(Lanes { count: lanes.count, stride, first: lanes.first })
+            }
+            None => None,
+        };
+        let reach = u64::from(msb) + lanes.map_or(0, |l| u64::from(l.count - 1) * u64::from(l.stride));
+        if reach >= u64::from(outer.width) {
+            self.find(
+                Diagnostic::new(
+                    Code::FieldOutside,
+                    bits_at,
+                    format!("`{name}` reaches bit {reach} of `{}`, which has {} bits", outer.name, outer.width),
+                )
+                .label(format!("the last bit is {}", outer.width - 1)),
+            );
+            return None;
+        }
+        self.check_identifier(name, at);
+        self.cite(text.cite.as_ref(), at);
+        let own_cites = cites(text.cite.as_ref());
+        let access = self.access(name, text, at, outer, index)?;
+        let kind = self.kind(name, text, at, outer, width);
+        let capacity = bit_mask(0, width);
+        let limit = |int: Option<syntax::Int>, default: u64| int.map_or(default, |i| i.0);
+        let (min, max) = text.range.map_or((0, capacity), |r| (limit(r.min, 0), limit(r.max, capacity)));
+        for (value, key) in [(min, "min"), (max, "max")] {
+            if value > capacity {
+                self.find(
+                    Diagnostic::new(
+                        Code::LimitTooWide,
+                        Spot::Value(at.key("range").key(key)),
+                        format!("{value} does not fit the {width} bits of `{name}`"),
+                    )
+                    .label(format!("has to be at most {capacity}")),
+                );
+            }
+        }
+        if min > max {
+            self.find(Diagnostic::new(
+                Code::BadRange,
+                Spot::Value(at.key("range")),
+                format!("no value of `{name}` is between {min} and {max}"),
+            ));
+        }
+        if let Some(must) = text.must_write
+            && must.0 > capacity
+        {
+            self.find(
+                Diagnostic::new(
+                    Code::LimitTooWide,
+                    Spot::Value(at.key("must_write")),
+                    format!("{} does not fit the {width} bits of `{name}`", must.0),
+                )
+                .label(format!("has to be at most {capacity}")),
+            );
+        }
+        let reset = self.field_reset(name, text, at, outer, width);
+        Some(Field {
+            name: name.to_owned(),
+            label: text.label.clone().unwrap_or_else(|| name.to_owned()),
+            ident: Ident::new(text.name.as_deref().unwrap_or(name)),
+            lsb,
+            width,
+            lanes,
+            doc: text.doc.trim().to_owned(),
+            cites: if own_cites.is_empty() { outer.cites.to_vec() } else { own_cites },
+            access,
+            reset,
+            kind,
+            min,
+            max,
+            encoding: text.encoding.clone(),
+        })
+    }
+
+    fn access(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, index: usize) -> Option<Access> {
+        let Some(code) = text.access.or(outer.access) else {
+            self.find(
+                Diagnostic::new(Code::NoAccess, Spot::Key(at.clone()), format!("`{name}` has no access code"))
+                    .label("`access` is missing here and at the register")
+                    .help("give `access` to the field, or to the register for all its fields"),
+            );
+            return None;
+        };
+        let mismatch = |key: &str, title: String| Diagnostic::new(Code::AccessMismatch, Spot::Value(at.key(key)), title);
+        if let Some(on_read) = text.on_read {
+            if !code.readable() {
+                self.find(mismatch("on_read", format!("`{name}` cannot be read, so a read can have no effect on it")));
+            }
+            if let Some(byte) = on_read.byte
+                && u32::from(byte) * 8 >= outer.width
+            {
+                let last = outer.width / 8 - 1;
+                self.find(
+                    Diagnostic::new(
+                        Code::OutOfRange,
+                        Spot::Value(at.key("on_read").key("byte")),
+                        format!("`{}` has no byte {byte}", outer.name),
+                    )
+                    .label(format!("has to be 0 to {last}")),
+                );
+            }
+        }
+        if !code.writable() {
+            for (key, present) in [
+                ("when", text.when.as_deref().is_some_and(|when| when != "always")),
+                ("set_when", text.set_when.is_some()),
+                ("must_write", text.must_write.is_some()),
+                ("safe_to_write_back", text.safe_to_write_back.is_some()),
+            ] {
+                if present {
+                    self.find(
+                        mismatch(key, format!("`{name}` is read only, so `{key}` means nothing"))
+                            .help("remove it, or give the field another access code"),
+                    );
+                }
+            }
+        }
+        if text.write_loads.is_some() && code != AccessCode::Wclr {
+            self.find(
+                mismatch("write_loads", format!("`{name}` has access `{}`; only `wclr` loads on a write", code.as_str()))
+                    .help("use `access: wclr` for a field that any write clears or presets"),
+            );
+        }
+        if text.safe_to_write_back.is_some() && code.neutral() != crate::model::Neutral::None && code.writable() {
+            self.find(mismatch(
+                "safe_to_write_back",
+                format!("`{name}` has access `{}`, which has a neutral value anyway", code.as_str()),
+            ));
+        }
+        let rule = |own: &Option<String>, inherited: Option<&str>, key: &str| match own {
+            Some(own) => Some((own.clone(), at.key(key))),
+            None => inherited.map(|text| (text.to_owned(), outer.at.key(key))),
+        };
+        let writable = code.writable();
+        let when = rule(&text.when, outer.when, "when").filter(|(text, _)| writable && text != "always");
+        let set_when = rule(&text.set_when, None, "set_when").filter(|_| writable);
+        let loads = rule(&text.write_loads, None, "write_loads");
+        if when.is_some() || set_when.is_some() || loads.is_some() {
+            self.pending.push(PendingRules { holder: outer.holder, field: index, at: at.clone(), when, set_when, loads });
+        }
+        Some(Access {
+            code,
+            on_read: text.on_read,
+            when: None,
+            set_when: None,
+            loads: None,
+            safe_to_write_back: text.safe_to_write_back.clone(),
+            must_write: text.must_write.map(|v| v.0),
+        })
+    }
+
+    fn kind(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, width: u32) -> Kind {
+        let plain = if width == 1 { Kind::Bool } else { Kind::Int };
+        let id = match (&text.enum_ref, &text.values) {
+            (Some(_), Some(_)) => {
+                self.find(
+                    Diagnostic::new(
+                        Code::Contradiction,
+                        Spot::Key(at.key("enum")),
+                        format!("`{name}` has both `enum` and `values`"),
+                    )
+                    .also(Spot::Key(at.key("values")), "and here")
+                    .help("keep `enum` for a shared enumeration, `values` for one of its own"),
+                );
+                return plain;
+            }
+            (Some(reference), None) => match self.enum_names.get(reference) {
+                Some(id) => *id,
+                None => {
+                    let hint = suggestion(reference, self.enum_names.keys().map(String::as_str));
+                    self.find(
+                        Diagnostic::new(
+                            Code::UnknownReference,
+                            Spot::Value(at.key("enum")),
+                            format!("there is no enumeration `{reference}`"),
+                        )
+                        .label(hint.unwrap_or_else(|| "unknown enumeration".to_owned()))
+                        .help("declare it under `enums`, or list `values` at the field"),
+                    );
+                    return plain;
+                }
+            },
+            (None, Some(values)) => {
+                let enum_name = format!("{}_{}", outer.enum_prefix, text.name.as_deref().unwrap_or(name));
+                self.add_enum(&enum_name, false, String::new(), outer.cites.to_vec(), values, &at.key("values"))
+            }
+            (None, None) => return plain,
+        };
+        let entry = &mut self.out.model.enums[id.0];
+        entry.width = entry.width.max(width);
+        let capacity = bit_mask(0, width);
+        let too_wide = entry
+            .variants
+            .iter()
+            .map(|v| (v.last, v.name.clone()))
+            .chain(entry.reserved.iter().map(|r| (r.1, "reserved".to_owned())))
+            .find(|(last, _)| *last > capacity);
+        if let Some((last, variant)) = too_wide {
+            let spot = Spot::Value(if text.enum_ref.is_some() { at.key("enum") } else { at.key("values") });
+            self.find(
+                Diagnostic::new(
+                    Code::EnumTooWide,
+                    spot,
+                    format!("the value {last} (`{variant}`) does not fit the {width} bits of `{name}`"),
+                )
+                .label(format!("the largest value is {capacity}")),
+            );
+        }
+        Kind::Enum(id)
+    }
+
+    fn field_reset(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, width: u32) -> FieldReset {
+        let capacity = bit_mask(0, width);
+        match text.reset {
+            Some(syntax::FieldReset::Value(value)) => {
+                if value.0 > capacity {
+                    self.find(
+                        Diagnostic::new(
+                            Code::ResetTooWide,
+                            Spot::Value(at.key("reset")),
+                            format!("the reset {:#x} does not fit the {width} bits of `{name}`", value.0),
+                        )
+                        .label(format!("the largest value is {capacity:#x}")),
+                    );
+                }
+                FieldReset::Value(value.0 & capacity)
+            }
+            Some(syntax::FieldReset::Kind(kind)) => FieldReset::None(kind),
+            None => {
+                if !outer.has_reset {
+                    self.find(
+                        Diagnostic::new(Code::NoReset, Spot::Key(at.clone()), format!("`{name}` has no reset value"))
+                            .label("`reset` is missing here and at the register")
+                            .help("give `reset` to the register, or to each of its fields; `unknown` is a value too"),
+                    );
+                }
+                FieldReset::Value(0)
+            }
+        }
+    }
+
+    /// Resolves what fields say about other fields, once all fields exist.
+    pub(super) fn rules(&mut self) {
+        for rules in std::mem::take(&mut self.pending) {
+            let own = match rules.holder {
+                Holder::Register(register) => Some(FieldRef { register, field: rules.field }),
+                Holder::Word(..) => None,
+            };
+            let when = rules.when.and_then(|(text, at)| self.condition_ref(&text, &at));
+            let set_when = rules.set_when.and_then(|(text, at)| self.condition_ref(&text, &at));
+            let loads = rules.loads.and_then(|(text, at)| self.field_ref(&text, &at));
+            let field = match rules.holder {
+                Holder::Register(id) => self.out.model.registers[id.0].fields.get_mut(rules.field),
+                Holder::Word(id, word) => {
+                    self.out.model.messages[id.0].words[word].fields.get_mut(rules.field)
+                }
+            };
+            let Some(field) = field else { continue };
+            field.access.when = when;
+            field.access.set_when = set_when;
+            field.access.loads = loads;
+            if let (Some(own), Some(target)) = (own, loads)
+                && self.out.model.field(own).width != self.out.model.field(target).width
+            {
+                let title = format!("`{}` is not as wide as the field that loads it", self.out.model.field_path(target));
+                self.find(Diagnostic::new(
+                    Code::AccessMismatch,
+                    Spot::Value(rules.at.key("write_loads")),
+                    title,
+                ));
+            }
+        }
+    }
+}

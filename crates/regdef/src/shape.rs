@@ -1,0 +1,222 @@
+//! The shape of a description against the schema that is derived from the language's types.
+
+use std::sync::LazyLock;
+
+use jsonschema::error::{TypeKind, ValidationErrorKind};
+use jsonschema::{ValidationError, Validator};
+use serde_json::Value;
+
+use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
+use crate::path::Path;
+use crate::syntax::Description;
+
+/// The JSON schema of the language, for editors and for the check of shape.
+#[must_use]
+pub fn schema() -> Value {
+    schemars::schema_for!(Description).to_value()
+}
+
+static SCHEMA: LazyLock<Value> = LazyLock::new(schema);
+
+static VALIDATOR: LazyLock<Validator> =
+    LazyLock::new(|| jsonschema::validator_for(&SCHEMA).expect("the schema is made from our own types"));
+
+/// Reports every unknown key, missing key and value of the wrong form.
+pub(crate) fn check(tree: &Value, findings: &mut Vec<Diagnostic>) {
+    for error in VALIDATOR.iter_errors(tree) {
+        explain(&error, tree, findings);
+    }
+}
+
+fn explain(error: &ValidationError<'_>, tree: &Value, findings: &mut Vec<Diagnostic>) {
+    let at = Path::from_pointer(error.instance_path().as_str());
+    match error.kind() {
+        ValidationErrorKind::AdditionalProperties { unexpected } => {
+            let known = keys_at(error, "properties");
+            for key in unexpected {
+                findings.push(unknown_key(&at, key, &known));
+            }
+        }
+        ValidationErrorKind::Required { property } => {
+            let key = property.as_str().unwrap_or_default();
+            let meaning = description_of(error, key);
+            findings.push(
+                Diagnostic::new(Code::MissingKey, Spot::Key(at.clone()), format!("{} has no `{key}`", subject(&at)))
+                    .label(format!("`{key}` is missing here"))
+                    .maybe_help(meaning.map(|text| format!("`{key}`: {text}"))),
+            );
+        }
+        ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
+            match best_branch(context, &at) {
+                Some(branch) => {
+                    for inner in branch {
+                        explain(inner, tree, findings);
+                    }
+                }
+                None => {
+                    let help = expectation(error);
+                    findings.push(wrong_type(&at, error.instance()).maybe_help(help));
+                }
+            }
+        }
+        ValidationErrorKind::Minimum { limit } => {
+            findings.push(out_of_range(&at, error.instance(), &format!("at least {limit}")));
+        }
+        ValidationErrorKind::Maximum { limit } => {
+            findings.push(out_of_range(&at, error.instance(), &format!("at most {limit}")));
+        }
+        ValidationErrorKind::Enum { options } => {
+            let options: Vec<_> =
+                options.as_array().into_iter().flatten().map(|o| o.as_str().unwrap_or_default()).collect();
+            findings.push(bad_choice(&at, error.instance(), &options));
+        }
+        ValidationErrorKind::Type { kind } => {
+            let expected = match kind {
+                TypeKind::Single(one) => article(&one.to_string()),
+                TypeKind::Multiple(many) => many.iter().map(|t| article(&t.to_string())).collect::<Vec<_>>().join(" or "),
+            };
+            findings.push(wrong_type(&at, error.instance()).help(format!("this has to be {expected}")));
+        }
+        ValidationErrorKind::PropertyNames { error: inner } => {
+            let key = inner.instance().as_str().unwrap_or_default().to_owned();
+            findings.push(
+                Diagnostic::new(Code::WrongType, Spot::Key(at.key(&key)), format!("`{key}` cannot be a key here"))
+                    .maybe_help(expectation(inner)),
+            );
+        }
+        _ => findings.push(Diagnostic::new(Code::WrongType, Spot::Value(at), error.to_string())),
+    }
+}
+
+/// Among the forms a value may take, the one its author meant: same JSON type, and errors further inside.
+fn best_branch<'a>(context: &'a [Vec<ValidationError<'static>>], at: &Path) -> Option<&'a Vec<ValidationError<'static>>> {
+    let here = |e: &ValidationError<'_>| Path::from_pointer(e.instance_path().as_str()) == *at;
+    let is_type = |e: &ValidationError<'_>| here(e) && matches!(e.kind(), ValidationErrorKind::Type { .. });
+    let mut candidates: Vec<_> =
+        context.iter().filter(|branch| !branch.is_empty() && !branch.iter().any(|e| is_type(e))).collect();
+    candidates.retain(|branch| {
+        !branch.iter().any(|e| here(e) && matches!(e.kind(), ValidationErrorKind::Pattern { .. }))
+    });
+    candidates.into_iter().min_by_key(|branch| branch.len())
+}
+
+fn unknown_key(at: &Path, key: &str, known: &[String]) -> Diagnostic {
+    let known_text = known.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", ");
+    let hint = suggestion(key, known.iter().map(String::as_str));
+    Diagnostic::new(Code::UnknownKey, Spot::Key(at.key(key)), format!("{} has no key `{key}`", kind_of(at)))
+        .label(hint.unwrap_or_else(|| "unknown key".to_owned()))
+        .help(format!("the keys here are {known_text}"))
+}
+
+fn bad_choice(at: &Path, found: &Value, options: &[&str]) -> Diagnostic {
+    let list = options.iter().map(|o| format!("`{o}`")).collect::<Vec<_>>().join(", ");
+    let text = plain(found);
+    Diagnostic::new(Code::WrongType, Spot::Value(at.clone()), format!("{text} is no value of `{}`", at.last()))
+        .label(found.as_str().and_then(|s| suggestion(s, options.iter().copied())).unwrap_or_default())
+        .help(format!("it can be {list}"))
+}
+
+fn wrong_type(at: &Path, found: &Value) -> Diagnostic {
+    let what = match found {
+        Value::Null => "nothing".to_owned(),
+        Value::Object(_) => "a mapping".to_owned(),
+        Value::Array(_) => "a list".to_owned(),
+        other => plain(other),
+    };
+    let quote = matches!(found, Value::Number(_)).then(|| "where text is wanted, a number has to be quoted".to_owned());
+    Diagnostic::new(Code::WrongType, Spot::Value(at.clone()), format!("{what} is no value of `{}`", at.last()))
+        .maybe_help(quote)
+}
+
+fn out_of_range(at: &Path, found: &Value, limit: &str) -> Diagnostic {
+    Diagnostic::new(Code::OutOfRange, Spot::Value(at.clone()), format!("`{}` is {found}", at.last()))
+        .label(format!("has to be {limit}"))
+}
+
+fn plain(value: &Value) -> String {
+    value.as_str().map_or_else(|| format!("`{value}`"), |s| format!("`{s}`"))
+}
+
+fn article(json_type: &str) -> String {
+    match json_type {
+        "string" => "text".to_owned(),
+        "object" => "a mapping".to_owned(),
+        "array" => "a list".to_owned(),
+        "integer" => "a whole number".to_owned(),
+        "boolean" => "`true` or `false`".to_owned(),
+        other => format!("a {other}"),
+    }
+}
+
+/// The mapping a path ends in, in words: "the register `CCCR`".
+fn subject(at: &Path) -> String {
+    let name = at.last();
+    if name.is_empty() {
+        return "the description".to_owned();
+    }
+    match at.parent().last().as_str() {
+        "registers" => format!("the register `{name}`"),
+        "fields" => format!("the field `{name}`"),
+        "clusters" => format!("the cluster `{name}`"),
+        "messages" => format!("the message `{name}`"),
+        "words" => format!("the word `{name}`"),
+        "conflicts" => "this conflict".to_owned(),
+        "choices" => "this choice".to_owned(),
+        _ => format!("`{name}`"),
+    }
+}
+
+/// What kind of mapping a path ends in: "a register".
+fn kind_of(at: &Path) -> String {
+    match at.parent().last().as_str() {
+        "registers" => "a register".to_owned(),
+        "fields" => "a field".to_owned(),
+        "clusters" => "a cluster".to_owned(),
+        "messages" => "a message".to_owned(),
+        "words" => "a word of a message".to_owned(),
+        "" if at.last().is_empty() => "a description".to_owned(),
+        _ => format!("`{}`", at.last()),
+    }
+}
+
+/// The schema that an error's keyword stands in.
+fn schema_of<'a>(error: &ValidationError<'_>) -> Option<&'a Value> {
+    let location = error.schema_path().as_str();
+    let keyword_parent = location.rsplit_once('/').map_or("", |(parent, _)| parent);
+    SCHEMA.pointer(keyword_parent).or_else(|| follow(location))
+}
+
+/// Walks a schema location that passes through `$ref`s.
+fn follow<'a>(location: &str) -> Option<&'a Value> {
+    let mut node: &Value = &SCHEMA;
+    let mut steps: Vec<_> = location.split('/').skip(1).collect();
+    steps.pop();
+    for step in steps {
+        if step == "$ref" {
+            node = SCHEMA.pointer(node.get("$ref")?.as_str()?.strip_prefix('#')?)?;
+            continue;
+        }
+        let step = step.replace("~1", "/").replace("~0", "~");
+        node = match node {
+            Value::Array(items) => items.get(step.parse::<usize>().ok()?)?,
+            other => other.get(&step)?,
+        };
+    }
+    Some(node)
+}
+
+fn keys_at(error: &ValidationError<'_>, member: &str) -> Vec<String> {
+    let schema = schema_of(error);
+    let properties = schema.and_then(|s| s.get(member)).and_then(Value::as_object);
+    properties.into_iter().flat_map(|p| p.keys().cloned()).collect()
+}
+
+fn description_of(error: &ValidationError<'_>, key: &str) -> Option<String> {
+    let text = schema_of(error)?.get("properties")?.get(key)?.get("description")?.as_str()?;
+    Some(text.replace('\n', " "))
+}
+
+fn expectation(error: &ValidationError<'_>) -> Option<String> {
+    let text = schema_of(error)?.get("description")?.as_str()?;
+    Some(text.replace('\n', " "))
+}
