@@ -19,7 +19,7 @@ mod text;
 mod timing;
 mod xref;
 
-use minijinja::{Environment, UndefinedBehavior, Value, context, syntax::SyntaxConfig};
+use minijinja::{Environment, UndefinedBehavior, Value, context, syntax::SyntaxConfig, value::merge_maps};
 use regdef::model::{Model, RegisterId};
 
 use crate::{OutputFile, language};
@@ -60,7 +60,9 @@ impl Site<'_> {
         let controllers: Vec<_> = self.books.iter().map(|b| context! { id => b.folder(), title => b.model.title.clone() }).collect();
         let root = if path.contains('/') { "../" } else { "" };
         let here = path.rsplit('/').next();
-        let page = context! { root, here, page_title => title, controllers, nav => (), controller => (), ..more };
+        let defaults = context! { nav => (), controller => () };
+        // What stands last wins.
+        let page = merge_maps([defaults, more, context! { root, here, page_title => title, controllers }]);
         let template = self.templates.get_template(template).expect("the template is one of those added below");
         let content = template.render(page).expect("a template uses only what its page gives it; the tests render every page");
         self.files.push(OutputFile { path: path.to_owned(), content });

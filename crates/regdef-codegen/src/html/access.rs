@@ -30,25 +30,11 @@ pub(super) fn cell(access: &Access) -> String {
 /// The rules of a field beyond its code, as terms and HTML.
 pub(super) fn rules(book: &Book<'_>, access: &Access) -> Vec<(&'static str, String)> {
     let mut all = Vec::new();
-    let condition = |id| {
-        let condition = book.model.condition(id);
-        let meaning = if condition.doc == condition.text || condition.doc == condition.name {
-            String::new()
-        } else {
-            format!(": {}", book.inline(&condition.doc, None))
-        };
-        let expression = if condition.named {
-            format!(" (<code>{}</code>)", escape(&condition.text))
-        } else {
-            String::new()
-        };
-        format!("{}{expression}{meaning}", book.condition_link(id))
-    };
     if let Some(id) = access.when {
-        all.push(("Writable only if", condition(id)));
+        all.push(("Writable only if", book.condition_link(id)));
     }
     if let Some(id) = access.set_when {
-        all.push(("Can be set only if", format!("{}; it can be cleared at any time", condition(id))));
+        all.push(("Can be set only if", format!("{}; it can be cleared at any time", book.condition_link(id))));
     }
     if let Some(on_read) = access.on_read {
         let effect = match on_read.effect {

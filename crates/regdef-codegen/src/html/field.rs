@@ -73,10 +73,7 @@ fn row(book: &Book<'_>, xref: &Xref, holder: Holder<'_>, index: usize, field: &F
         id => link.split_once('#').map(|(_, id)| id),
         bits => all_bits(field),
         name => shown_name(field),
-        code => field.access.notation(|id| {
-            let condition = book.model.condition(id);
-            if condition.named { condition.name.clone() } else { "…".to_owned() }
-        }),
+        code => access::cell(&field.access),
         class => field.access.code.as_str(),
         words => access::words(field.access.code),
         reset => match holder {

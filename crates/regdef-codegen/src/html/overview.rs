@@ -6,7 +6,7 @@ use regdef::model::{AccessCode, AliasOp, ClusterId, Model, RegisterId, WindowId}
 use super::book::{Book, label};
 use super::field::grouped;
 use super::register::{address, codes, short_reset};
-use super::text::{hex, link, offset, safe};
+use super::text::{link, offset, safe};
 use super::xref::Xref;
 use super::access;
 
@@ -143,7 +143,7 @@ fn map(book: &Book<'_>) -> Vec<Value> {
     for range in &model.reserved {
         let mut notes = Vec::new();
         if let Some(value) = range.reads {
-            notes.push(format!("reads as <code>{}</code>", hex(value, 8)));
+            notes.push(format!("reads as <code>{}</code>", if value == 0 { "0".to_owned() } else { format!("0x{value:X}") }));
         }
         if let Some(at) = range.sets {
             notes.push(format!("an access sets {}", book.field_link(at)));

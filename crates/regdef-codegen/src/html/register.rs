@@ -1,11 +1,11 @@
 //! The page of a register.
 
 use minijinja::{Value, context};
-use regdef::model::{AliasOp, ClusterId, Model, Register, RegisterId};
+use regdef::model::{AliasOp, ClusterId, Model, ReadEffect, Register, RegisterId, Reset, bit_mask};
 
 use super::book::{Book, label};
 use super::field::{Holder, grouped, rows};
-use super::text::{hex, offset, reset, safe};
+use super::text::{offset, reset, safe};
 use super::xref::Xref;
 use super::{access, decode, diagram};
 
@@ -52,6 +52,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         reset => reset(register.reset, register.width),
         reset_partial => register.reset.unknown != 0,
         codes => codes(register),
+        marks => marks(register),
         window => register.window.map(|w| {
             let window = &model.windows[w.0];
             context! { link => book.window(w), name => window.name.clone(), select => safe(book.field_link(window.select)), value => window.value }
@@ -65,6 +66,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         diagrams => diagram::PAGE.map(draw).to_vec(),
         lanes_run_on => register.lanes_run_on(),
         decode => safe(data),
+        rules => write_conditions(book, register),
         fields => rows(book, xref, holder, &register.fields),
         elements => elements.iter().map(|e| context! { label => e.label.clone(), offset => offset(e.offset), aliases => aliases(model, register, e.offset) }).collect::<Vec<_>>(),
         aliases => aliases(model, register, register.offset.unwrap_or(0)),
@@ -75,6 +77,40 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
             .collect::<Vec<_>>(),
         mentions => grouped(&others),
     }
+}
+
+/// What the marks in the register's diagram mean.
+fn marks(register: &Register) -> Vec<Vec<&'static str>> {
+    let reads = |effect| register.fields.iter().any(|f| f.access.on_read.is_some_and(|r| r.effect == effect));
+    let conditional = register.fields.iter().any(|f| f.access.when.is_some() || f.access.set_when.is_some());
+    let by_byte = register.fields.iter().any(|f| f.access.on_read.is_some_and(|r| r.byte.is_some()));
+    [
+        (conditional, vec!["*", "written only under a condition"]),
+        (reads(ReadEffect::Clear), vec!["+rc", "a read clears it"]),
+        (reads(ReadEffect::Set), vec!["+rs", "a read sets it"]),
+        (by_byte, vec!["@n", "if byte n is read"]),
+        (register.reset.unknown != 0, vec!["x", "unknown after reset"]),
+    ]
+    .into_iter()
+    .filter_map(|(is, mark)| is.then_some(mark))
+    .collect()
+}
+
+/// The named conditions that the register's fields wait for, once each.
+fn write_conditions(book: &Book<'_>, register: &Register) -> Vec<Value> {
+    let mut all = Vec::new();
+    let used = register.fields.iter().flat_map(|f| [f.access.when, f.access.set_when]).flatten();
+    for id in used.filter(|&id| book.model.condition(id).named) {
+        if !all.contains(&id) {
+            all.push(id);
+        }
+    }
+    let one = |id| {
+        let condition = book.model.condition(id);
+        let doc = if condition.doc == condition.text { String::new() } else { book.inline(&condition.doc, None) };
+        context! { link => safe(book.condition_link(id)), text => condition.text.clone(), doc => safe(doc) }
+    };
+    all.into_iter().map(one).collect()
 }
 
 /// One element of an array.
@@ -137,7 +173,9 @@ fn aliases(model: &Model, register: &Register, at: u64) -> Vec<Value> {
     model.aliases.iter().map(one).collect()
 }
 
-/// The value of a register after reset, short enough for a table.
+/// The value of a register after reset, short enough for a table: a digit with an unknown bit is `?`.
 pub(super) fn short_reset(register: &Register) -> String {
-    if register.reset.unknown == 0 { hex(register.reset.value, register.width) } else { reset(register.reset, register.width) }
+    let digits = (0..register.width.div_ceil(4)).map(|n| bit_mask(4 * n, 4));
+    let unknown = digits.filter(|digit| digit & register.reset.unknown != 0).fold(0, |all, digit| all | digit);
+    reset(Reset { value: register.reset.value, unknown }, register.width)
 }

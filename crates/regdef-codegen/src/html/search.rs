@@ -45,7 +45,7 @@ impl Entries<'_, '_> {
     fn add(&mut self, kind: &str, name: &str, title: &str, url: &str, text: &str) {
         let kind = KINDS.iter().position(|k| *k == kind).expect("the kinds are those of the table above");
         let url = format!("{}/{url}", self.book.folder());
-        self.entries.push(json!([kind, self.number, name, title, url, text.trim()]));
+        self.entries.push(json!([kind, self.number, name, title, url, text.trim_start_matches(" ·").trim()]));
     }
 
     fn values(&self, id: Option<EnumId>) -> String {

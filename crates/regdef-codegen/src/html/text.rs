@@ -1,9 +1,12 @@
 //! Text of the description made into HTML: escaping, links in prose, citations, numbers.
 
 use minijinja::Value;
-use regdef::model::{Cite, ConditionId, FieldRef, RegisterId, Reset, Target};
+use regdef::model::{Cite, ConditionId, FieldRef, RegisterId, Reset, Target, bit_mask};
 
 use super::book::{Book, label};
+
+/// Words of the trade that are also names of registers; in prose they are meant as words.
+const WORDS: &[&str] = &["CAN", "CPU", "DMA", "FIFO", "ID", "INT", "RAM"];
 
 /// Text with the characters escaped that mean something in HTML, in content and in quoted attributes.
 pub(super) fn escape(text: &str) -> String {
@@ -101,7 +104,7 @@ impl Book<'_> {
             }
             let (name, behind) = rest.split_at(end);
             rest = behind;
-            let is_name = name.len() > 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
+            let is_name = name.len() > 1 && name.starts_with(|c: char| c.is_ascii_uppercase()) && !WORDS.contains(&name);
             match self.named(name, here).filter(|_| is_name) {
                 Some(Target::Register(id)) if Some(id) == here => out.push_str(&escape(name)),
                 Some(target) => out.push_str(&code_link(&self.target(target).0, name)),
@@ -160,12 +163,15 @@ pub(super) fn hex(value: u64, width: u32) -> String {
     format!("0x{value:0digits$X}", digits = width.div_ceil(4) as usize)
 }
 
-/// A reset value: hexadecimal if every digit is known or unknown as a whole, otherwise binary.
+/// A reset value: hexadecimal if every digit is known or, as `?`, unknown as a whole; otherwise binary.
 pub(super) fn reset(reset: Reset, width: u32) -> String {
+    if reset.unknown == bit_mask(0, width) {
+        return "unknown".to_owned();
+    }
     let nibbles = (0..width.div_ceil(4)).rev();
     let unknown_of = |n: u32| reset.unknown >> (4 * n) & 0xF;
     if nibbles.clone().all(|n| matches!(unknown_of(n), 0 | 0xF)) {
-        let digit = |n| if unknown_of(n) == 0 { format!("{:X}", reset.value >> (4 * n) & 0xF) } else { "x".to_owned() };
+        let digit = |n| if unknown_of(n) == 0 { format!("{:X}", reset.value >> (4 * n) & 0xF) } else { "?".to_owned() };
         return format!("0x{}", nibbles.map(digit).collect::<String>());
     }
     format!("0b{}", bits(reset, width).chunks(4).map(|c| c.iter().collect::<String>()).collect::<Vec<_>>().join("_"))
@@ -197,7 +203,7 @@ mod tests {
 
     #[test]
     fn unknown_bits_show() {
-        assert_eq!(reset(Reset { value: 0x12, unknown: 0xF00 }, 16), "0x0x12");
+        assert_eq!(reset(Reset { value: 0x12, unknown: 0xF00 }, 16), "0x0?12");
         assert_eq!(reset(Reset { value: 0x2, unknown: 0x1 }, 8), "0b0000_001x");
         assert_eq!(reset(Reset { value: 0xA33, unknown: 0 }, 32), "0x00000A33");
     }

@@ -249,7 +249,7 @@ impl Xref {
 
     fn findings(&mut self, book: &Book<'_>) {
         for (index, conflict) in book.model.conflicts.iter().enumerate() {
-            let html = link(&book.conflict(index), &conflict.what);
+            let html = link(&book.conflict(index), conflict.what.trim_end_matches('.'));
             for &target in &conflict.at {
                 self.target(target, "Conflict", html.clone());
             }

@@ -95,7 +95,8 @@
       data.elements.forEach((name) => select.append(element("option", {}, name)));
       if (data.fields.some((field) => field.lanes)) bar.append(select);
     }
-    section.append(element("h2", {}, "Decode a value"), bar, problem, forms, strip, out,
+    bar.append(problem);
+    section.append(element("h2", {}, "Decode a value"), bar, forms, strip, out,
       element("p", { className: "key" }, "Hexadecimal (0x…), binary (0b…) or decimal; _ may group digits." + (data.unknown ? " Bits with a dashed frame are unknown after reset and start as 0." : "")));
 
     const bits = [];
@@ -138,7 +139,7 @@
         const range = field.width === 1 ? String(row.lsb) : row.lsb + field.width - 1 + ":" + row.lsb;
         const says = element("span", { className: "says" });
         const box = element("div", { className: "field" },
-          element("label", { htmlFor: controlId }, row.name + " ", element("small", {}, "[" + range + "] " + field.code)), control, says);
+          element("label", { htmlFor: controlId }, row.name + " ", element("small", {}, "[" + range + "]")), control, says);
         return { ...row, control, says, box };
       });
       out.replaceChildren(...rows.map((row) => row.box));

@@ -85,6 +85,9 @@
   const escapes = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
   const escape = (text) => String(text).replace(/[&<>"']/g, (c) => escapes[c]);
 
+  // Bus_Off, bus-off and bus off are one notion.
+  const plain = (text) => text.toLowerCase().replace(/[_\s-]+/g, " ");
+
   // How well a name fits a term: whole name, whole part of a dotted name, beginning, beginning of a word, inside.
   function scoreName(name, term) {
     const at = name.indexOf(term);
@@ -100,6 +103,7 @@
     const index = window.REGDEF_INDEX;
     const terms = query.toLowerCase().split(/\s+/).filter(Boolean);
     const here = index.controllers.findIndex((c) => c[0] === root.dataset.controller);
+    const phrase = plain(query);
     const found = [];
     if (!terms.length) return found;
     index.entries.forEach((entry, position) => {
@@ -114,7 +118,10 @@
         if (!one) return;
         score += one;
       }
-      score = score / terms.length + (controller === here ? 8 : 0) - kind * 0.4 - name.length * 0.02;
+      score = score / terms.length + (plain(title + " " + text).includes(phrase) ? 16 : 0);
+      // Questions about the manual have long telling names; what the manual does say comes first.
+      if (/^(conflict|not stated)$/.test(index.kinds[kind])) score *= 0.45;
+      score += (controller === here ? 8 : 0) - kind * 0.4 - name.length * 0.02;
       found.push([score, position]);
     });
     found.sort((a, b) => b[0] - a[0] || a[1] - b[1]);
@@ -147,11 +154,11 @@
     chosen = 0;
     list.innerHTML = hits.map((hit, n) => {
       const [kind, controller, name, title, url, text] = hit;
-      const where = controller < 0 ? "" : index.controllers[controller][1];
+      const where = controller < 0 ? "" : index.controllers[controller][0];
       const first = Math.max(0, text.toLowerCase().search(terms.map((t) => t.replace(/[^a-z0-9_]/g, "\\$&")).join("|")) - 40);
       const cut = (first ? "… " : "") + text.slice(first, first + 160);
       return '<a role="option" tabindex="-1" id="site-hit-' + n + '" aria-selected="false" href="' + escape(base + url) + '">' +
-        '<span class="kind">' + escape(index.kinds[kind]) + (where ? "<br>" + escape(where) : "") + "</span>" +
+        '<span class="kind">' + escape(index.kinds[kind]) + (where ? " <br>" + escape(where) : "") + "</span>" +
         '<span class="name">' + marked(name, terms) + (title ? "<small>" + marked(title, terms) + "</small>" : "") + "</span>" +
         (text ? '<span class="text">' + marked(cut, terms) + "</span>" : "") + "</a>";
     }).join("") || "<p>Nothing is called that or says that.</p>";
