@@ -58,7 +58,9 @@ fn row(book: &Book<'_>, xref: &Xref, holder: Holder<'_>, index: usize, field: &F
     }
     if let Some(encoding) = &field.encoding {
         let limits = meaning_of_limits(field);
-        notes.push(("Meaning", format!("{}: {limits}", super::text::escape(&formula(encoding)))));
+        let plain = encoding.add == 0 && encoding.times.unwrap_or(1) == 1 && !encoding.signed;
+        let means = if plain { limits } else { format!("{}: {limits}", super::text::escape(&formula(encoding))) };
+        notes.push(("Meaning", means));
     }
     if field.cites != inherited && !field.cites.is_empty() {
         notes.push(("Stands in", book.cites(&field.cites)));
