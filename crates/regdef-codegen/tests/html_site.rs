@@ -52,10 +52,9 @@ fn resolve(from: &str, link: &str) -> (String, Option<String>) {
     (parts.join("/"), anchor)
 }
 
-#[test]
-fn pages_are_well_formed_and_every_link_resolves() {
-    let files = features_site();
-    let pages = pages(&files);
+/// Checks every page, and gives the number of links.
+fn check(files: &[OutputFile]) -> usize {
+    let pages = pages(files);
     let anchors: HashMap<&str, HashSet<&str>> = pages.iter().map(|(path, page)| (*path, ids(page, path))).collect();
     let others: HashSet<&str> = files.iter().map(|f| f.path.as_str()).collect();
     let mut links = 0;
@@ -85,7 +84,22 @@ fn pages_are_well_formed_and_every_link_resolves() {
             serde_json::from_str::<serde_json::Value>(&text).unwrap_or_else(|e| panic!("{path}: {e}: {text}"));
         }
     }
+    links
+}
+
+#[test]
+fn pages_are_well_formed_and_every_link_resolves() {
+    let links = check(&features_site());
     assert!(links > 1000, "only {links} links were found");
+}
+
+#[test]
+fn the_reference_of_the_real_controllers_is_well_formed() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../regdefs");
+    let names = ["m_can", "dspic33-canfd", "dspic33-ecan", "pic32-can"];
+    let models = names.map(|name| common::load(&folder.join(name).with_extension("yaml")));
+    let links = check(&site(&models.each_ref()));
+    assert!(links > 20_000, "only {links} links were found");
 }
 
 #[test]

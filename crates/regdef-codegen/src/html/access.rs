@@ -16,7 +16,7 @@ pub(super) const fn words(code: AccessCode) -> &'static str {
         AccessCode::W1s => "write 1 to request",
         AccessCode::Rwhc => "request, 0 withdraws it",
         AccessCode::Rwh => "hardware changes it too",
-        AccessCode::Wclr => "any write clears it",
+        AccessCode::Wclr => "any write clears or presets it",
     }
 }
 
@@ -87,14 +87,16 @@ pub(super) fn capabilities(book: &Book<'_>, id: RegisterId) -> Vec<(&'static str
     let modify = match &has.modify {
         Ok(()) => {
             let mut text = "A read-modify-write is safe".to_owned();
-            match (has.neutral_zeros, has.neutral_ones) {
+            let writable = register.writable_bits();
+            let (zeros, ones) = (has.neutral_zeros & writable, has.neutral_ones & writable);
+            match (zeros, ones) {
                 (0, 0) => {}
                 (zeros, 0) => text += &format!(": it writes {} as 0", mask(zeros)),
                 (0, ones) => text += &format!(": it writes {} as 1", mask(ones)),
                 (zeros, ones) => text += &format!(": it writes {} as 0 and {} as 1", mask(zeros), mask(ones)),
             }
-            if has.neutral_zeros | has.neutral_ones != 0 {
-                text += ", so that no flag is cleared and nothing is requested";
+            if zeros | ones != 0 {
+                text += ", so that nothing is cleared, requested or commanded";
             }
             text + "."
         }
@@ -104,7 +106,7 @@ pub(super) fn capabilities(book: &Book<'_>, id: RegisterId) -> Vec<(&'static str
         }
         Err(NoModify::ReadHasEffects(names)) => format!("The read would change {}.", names_of(names)),
         Err(NoModify::NoNeutral(names)) => {
-            format!("Writing back what was read would act on {}, which hardware changes meanwhile.", names_of(names))
+            format!("Nothing can be written back to {} without an effect.", names_of(names))
         }
     };
     all.push(("modify", has.modify.is_ok(), modify));
@@ -121,7 +123,7 @@ pub(super) fn capabilities(book: &Book<'_>, id: RegisterId) -> Vec<(&'static str
     if has.one_sets != 0 {
         all.push(("request", true, format!("1 in {} makes a request, 0 leaves everything alone.", mask(has.one_sets))));
     }
-    if register.aliased {
+    if register.aliased && !book.model.aliases.is_empty() {
         let names: Vec<_> = book.model.aliases.iter().map(|a| a.name.as_str()).collect();
         let text = format!("One store to an alias register changes single bits: {}.", list(&names));
         all.push(("alias", true, escape(&text)));

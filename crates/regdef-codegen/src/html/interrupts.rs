@@ -53,7 +53,8 @@ fn tree(book: &Book<'_>) -> String {
     let mut html = String::new();
     for (lines, sources) in groups {
         let names: Vec<_> = lines.iter().map(|&l| code_link(&book.line(l), &interrupts.lines[l.0].name)).collect();
-        let which = if lines.len() > 1 { " <span class=\"dim\">as the line-select bit says</span>" } else { "" };
+        let selected = sources.iter().any(|s| interrupts.sources[s.0].select.is_some());
+        let which = if lines.len() > 1 && selected { " <span class=\"dim\">as the line-select bit says</span>" } else { "" };
         html += &format!("<li>Line {}{which}<ul>{}</ul></li>", names.join(" or "), branch(book, &sources, &mut Vec::new()));
     }
     html

@@ -77,7 +77,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref) -> Value {
         doc => safe(book.paragraphs(&model.doc, None)),
         manual_doc => model.manual.doc.as_ref().map(|d| safe(book.paragraphs(d, None))),
         widths => access::list(&widths.iter().map(String::as_str).collect::<Vec<_>>()),
-        span => format!("{} bytes (0x{:X})", model.span, model.span),
+        span => format!("{} (0x{:X})", bytes(model.span), model.span),
         prefix => model.prefix.clone(),
         krate => model.names.krate.clone(),
         type_name => model.names.ident.pascal.clone(),
@@ -98,6 +98,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref) -> Value {
         device => model.block_registers().filter(|(_, r)| r.offset.is_none()).map(|(id, _)| row(book, id)).collect::<Vec<_>>(),
         codes => AccessCode::ALL.into_iter().map(|c| context! { code => c.as_str(), words => access::words(c), meaning => c.meaning() }).collect::<Vec<_>>(),
         windowed => !model.windows.is_empty(),
+        has_reserved => !model.reserved.is_empty(),
     }
 }
 
@@ -110,6 +111,10 @@ fn cluster(book: &Book<'_>, xref: &Xref, id: ClusterId, cluster: &regdef::model:
         registers => book.model.cluster_registers(id).map(|(id, _)| safe(book.register_link(id))).collect::<Vec<_>>(),
         mentions => grouped(xref.of_cluster(id)),
     }
+}
+
+fn bytes(count: u64) -> String {
+    if count == 1 { "1 byte".to_owned() } else { format!("{count} bytes") }
 }
 
 /// The part of an address behind `#`.
@@ -152,7 +157,7 @@ fn map(book: &Book<'_>) -> Vec<Value> {
             notes.push(book.inline(&range.doc, None));
         }
         let value = context! {
-            reserved => true, address => format!("{}…{}", offset(range.from), offset(range.to)), bytes => range.to - range.from + 1,
+            reserved => true, address => format!("{}…{}", offset(range.from), offset(range.to)), bytes => bytes(range.to - range.from + 1),
             notes => safe(notes.join("; ")), cites => safe(book.cites(&range.cites)),
             window => range.window.map(|w| context! { link => book.window(w), name => model.windows[w.0].name.clone() }),
         };

@@ -50,7 +50,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         width => register.width,
         address => address(model, register),
         reset => reset(register.reset, register.width),
-        reset_partial => register.reset.unknown != 0,
+        reset_partial => register.reset.unknown != 0 && register.reset.unknown != bit_mask(0, register.width),
         codes => codes(register),
         marks => marks(register),
         window => register.window.map(|w| {
