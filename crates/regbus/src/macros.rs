@@ -115,3 +115,16 @@ macro_rules! register {
         }
     };
 }
+
+/// Implements the common part of an enumeration.
+#[macro_export]
+macro_rules! enumeration {
+    ($type:ident, $values:expr) => {
+        #[cfg(feature = "defmt")]
+        impl $crate::defmt::Format for $type {
+            fn format(&self, f: $crate::defmt::Formatter<'_>) {
+                $crate::meta::format_name(f, $values.name_of(self.bits() as u32));
+            }
+        }
+    };
+}

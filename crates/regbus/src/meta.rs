@@ -13,7 +13,7 @@ pub use controller::{
 };
 #[cfg(feature = "defmt")]
 #[doc(hidden)]
-pub use display::format;
+pub use display::{format, format_name};
 #[doc(hidden)]
 pub use display::debug;
 
@@ -99,6 +99,117 @@ pub struct Field {
 }
 
 impl Field {
+    /// A field with the values most fields have: reset 0, no limits, no conditions. The methods below change one each.
+    #[must_use]
+    pub const fn new(name: &'static str, lsb: u8, width: u8, access: Access) -> Self {
+        Self {
+            name,
+            lsb,
+            width,
+            lanes: 1,
+            lane_stride: 0,
+            first_lane: 0,
+            access,
+            on_read: ReadEffect::None,
+            reset: Some(0),
+            min: 0,
+            max: crate::bits::mask(width as u32),
+            add: 0,
+            times: 1,
+            signed: false,
+            unit: "",
+            values: None,
+            when: None,
+            set_when: None,
+            loads: None,
+            must_write: None,
+            safe_to_write_back: false,
+        }
+    }
+
+    /// Repeated in the register.
+    #[must_use]
+    pub const fn lanes(mut self, count: u8, stride: u8, first: u8) -> Self {
+        self.lanes = count;
+        self.lane_stride = stride;
+        self.first_lane = first;
+        self
+    }
+
+    /// With a read effect.
+    #[must_use]
+    pub const fn on_read(mut self, effect: ReadEffect) -> Self {
+        self.on_read = effect;
+        self
+    }
+
+    /// With a reset value, or without a known one.
+    #[must_use]
+    pub const fn reset(mut self, reset: Option<u32>) -> Self {
+        self.reset = reset;
+        self
+    }
+
+    /// With limits.
+    #[must_use]
+    pub const fn limits(mut self, min: u32, max: u32) -> Self {
+        self.min = min;
+        self.max = max;
+        self
+    }
+
+    /// With a meaning of `(value + add) * times` units.
+    #[must_use]
+    pub const fn encoding(mut self, add: i32, times: u32, signed: bool, unit: &'static str) -> Self {
+        self.add = add;
+        self.times = times;
+        self.signed = signed;
+        self.unit = unit;
+        self
+    }
+
+    /// With named values.
+    #[must_use]
+    pub const fn values(mut self, values: &'static Enum) -> Self {
+        self.values = Some(values);
+        self
+    }
+
+    /// With a write condition.
+    #[must_use]
+    pub const fn when(mut self, condition: u16) -> Self {
+        self.when = Some(condition);
+        self
+    }
+
+    /// With a condition to set.
+    #[must_use]
+    pub const fn set_when(mut self, condition: u16) -> Self {
+        self.set_when = Some(condition);
+        self
+    }
+
+    /// With a field that a write loads.
+    #[must_use]
+    pub const fn loads(mut self, register: u16, field: u16) -> Self {
+        self.loads = Some(FieldRef { register, field });
+        self
+    }
+
+    /// With a value that software has to write.
+    #[must_use]
+    pub const fn must_write(mut self, value: u32) -> Self {
+        self.must_write = Some(value);
+        self
+    }
+
+    /// Harmless to write back.
+    #[must_use]
+    pub const fn safe_to_write_back(mut self) -> Self {
+        self.safe_to_write_back = true;
+        self
+    }
+
     /// Mask of a lane.
     #[must_use]
     pub const fn mask(&self, lane: u8) -> u32 {

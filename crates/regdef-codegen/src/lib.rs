@@ -1,8 +1,8 @@
-//! Emitters over the checked model: model in, text out.
+//! Emitters: a checked [`regdef::model::Model`] in, text out. No emitter reads or writes a file.
 
-pub mod c;
 pub mod html;
 pub mod language;
+pub mod rust;
 pub mod svd;
 pub mod table;
 mod text;

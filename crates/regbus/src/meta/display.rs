@@ -65,3 +65,9 @@ pub fn format(f: defmt::Formatter<'_>, name: &str, word: u32, fields: &[Field]) 
     }
     defmt::write!(f, "}}");
 }
+
+/// Sends the name of an enumeration's value.
+#[cfg(feature = "defmt")]
+pub fn format_name(f: defmt::Formatter<'_>, name: Option<&'static str>) {
+    defmt::write!(f, "{=str}", name.unwrap_or("?"));
+}
