@@ -4,7 +4,14 @@ use regdef::model::{Field, Model, Reset};
 use serde_json::{Value, json};
 
 /// The data as JSON that may stand inside a `script` element.
-pub(super) fn data(model: &Model, name: &str, width: u32, fields: &[Field], reset: Option<Reset>, elements: &[String]) -> String {
+pub(super) fn data(
+    model: &Model,
+    name: &str,
+    width: u32,
+    fields: &[Field],
+    reset: Option<Reset>,
+    elements: &[String],
+) -> String {
     let value = json!({
         "name": name,
         "width": width,
@@ -36,7 +43,8 @@ fn field(model: &Model, field: &Field) -> Value {
         data["range"] = json!([field.min, field.max]);
     }
     if let Some(encoding) = &field.encoding {
-        data["encoding"] = json!([encoding.add, encoding.times.unwrap_or(1), encoding.signed, encoding.unit.as_deref().unwrap_or("")]);
+        data["encoding"] =
+            json!([encoding.add, encoding.times.unwrap_or(1), encoding.signed, encoding.unit.as_deref().unwrap_or("")]);
     }
     if let Some(value) = field.access.must_write {
         data["must"] = json!(value);

@@ -54,8 +54,10 @@ fn tree(book: &Book<'_>) -> String {
     for (lines, sources) in groups {
         let names: Vec<_> = lines.iter().map(|&l| code_link(&book.line(l), &interrupts.lines[l.0].name)).collect();
         let selected = sources.iter().any(|s| interrupts.sources[s.0].select.is_some());
-        let which = if lines.len() > 1 && selected { " <span class=\"dim\">as the line-select bit says</span>" } else { "" };
-        html += &format!("<li>Line {}{which}<ul>{}</ul></li>", names.join(" or "), branch(book, &sources, &mut Vec::new()));
+        let which =
+            if lines.len() > 1 && selected { " <span class=\"dim\">as the line-select bit says</span>" } else { "" };
+        html +=
+            &format!("<li>Line {}{which}<ul>{}</ul></li>", names.join(" or "), branch(book, &sources, &mut Vec::new()));
     }
     html
 }
@@ -69,7 +71,11 @@ fn branch(book: &Book<'_>, sources: &[InterruptId], above: &mut Vec<InterruptId>
             .map(InterruptId)
             .filter(|&s| interrupts.sources[s.0].feeds.contains(&id) && !above.contains(&s) && s != id)
             .collect();
-        let mut line = format!("{} <span class=\"dim\">flag</span> {}", code_link(&book.interrupt(id), &source.name), book.field_link(source.flag));
+        let mut line = format!(
+            "{} <span class=\"dim\">flag</span> {}",
+            code_link(&book.interrupt(id), &source.name),
+            book.field_link(source.flag)
+        );
         if let Some(at) = source.enable {
             line += &format!(" <span class=\"dim\">enable</span> {}", book.field_link(at));
         }

@@ -18,7 +18,9 @@ pub(super) fn messages(book: &Book<'_>, xref: &Xref) -> Value {
         context! {
             id => anchor(&book.message(id)), name => message.name.clone(), title => message.title.clone(), word_width => message.word_width,
             doc => safe(book.paragraphs(&message.doc, None)), cites => safe(book.cites(&message.cites)), header => message.header_bytes,
-            words, payload => message.payload.as_ref().map(|p| payload(book, message, p)), mentions => grouped(xref.of_message(id)),
+            words, payload => message.payload.as_ref().map(|p| payload(book, message, p)),
+            // The data bytes stand in front of the words behind them, as in the memory.
+            words_before => message.payload.as_ref().map_or(0, |p| message.words.iter().filter(|w| w.offset < p.offset).count()), mentions => grouped(xref.of_message(id)),
             joined => message.joined.iter().map(|j| context! {
                 name => j.name.clone(), doc => safe(book.inline(&j.doc, None)), width => j.width,
                 parts => j.parts.iter().map(|part| {
@@ -47,7 +49,7 @@ fn view_word(book: &Book<'_>, xref: &Xref, id: MessageId, index: usize) -> Value
         id => anchor(&book.word(id, index)), name => word.name.clone(), offset => format!("0x{:02X}", word.offset), bytes => word.offset,
         doc => safe(book.paragraphs(&word.doc, None)), cites => safe(book.cites(&word.cites)), inherits => word.cites == message.cites,
         present_when => word.present_when.map(|c| safe(book.condition_link(c))), same,
-        row => draw(diagram::ROW), narrow => draw(diagram::PAGE[1]),
+        row => draw(diagram::row(message.word_width)), narrow => draw(diagram::PAGE[1]),
         fields => rows(book, xref, Holder::Word(id, index, &word.cites), &word.fields),
         decode => safe(decode::data(book.model, &name, message.word_width, &word.fields, None, &[])),
         mentions => grouped(xref.of_word(id, index)),
@@ -80,6 +82,7 @@ pub(super) fn memory(book: &Book<'_>) -> Value {
     let model = book.model;
     let sections = model.memory.sections.iter().enumerate().map(|(index, section)| {
         let start = match &section.start {
+            SectionStart::Follows if index == 0 => "at the start of the memory".to_owned(),
             SectionStart::Follows => "behind the section before it".to_owned(),
             SectionStart::At { parts, unit } => {
                 let name = |part: &regdef::model::Part<_>| match part.field {

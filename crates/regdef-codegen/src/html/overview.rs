@@ -3,12 +3,12 @@
 use minijinja::{Value, context};
 use regdef::model::{AccessCode, AliasOp, ClusterId, Model, RegisterId, WindowId};
 
+use super::access;
 use super::book::{Book, label};
 use super::field::grouped;
 use super::register::{address, codes, short_reset};
 use super::text::{link, offset, safe};
 use super::xref::Xref;
-use super::access;
 
 /// A page that a controller has if it has something for it: file, title, number of entries.
 pub(super) fn pages(model: &Model) -> Vec<(&'static str, &'static str, usize)> {
@@ -36,12 +36,14 @@ pub(super) fn navigation(book: &Book<'_>) -> Value {
     let entry = |(id, register): (RegisterId, &regdef::model::Register)| {
         context! { link => book.register(id), name => label(model, register), title => register.title.clone() }
     };
-    let mut groups = vec![context! { title => "Registers", registers => model.block_registers().map(entry).collect::<Vec<_>>() }];
+    let mut groups =
+        vec![context! { title => "Registers", registers => model.block_registers().map(entry).collect::<Vec<_>>() }];
     for (index, cluster) in model.clusters.iter().enumerate() {
         let registers = model.cluster_registers(ClusterId(index)).map(entry).collect::<Vec<_>>();
         groups.push(context! { title => format!("{} (×{})", cluster.title, cluster.dim.count), registers });
     }
-    let pages = pages(model).into_iter().map(|(link, title, count)| context! { link, title, count }).collect::<Vec<_>>();
+    let pages =
+        pages(model).into_iter().map(|(link, title, count)| context! { link, title, count }).collect::<Vec<_>>();
     context! { id => model.names.id.clone(), title => model.title.clone(), pages, groups }
 }
 
@@ -148,7 +150,10 @@ fn map(book: &Book<'_>) -> Vec<Value> {
     for range in &model.reserved {
         let mut notes = Vec::new();
         if let Some(value) = range.reads {
-            notes.push(format!("reads as <code>{}</code>", if value == 0 { "0".to_owned() } else { format!("0x{value:X}") }));
+            notes.push(format!(
+                "reads as <code>{}</code>",
+                if value == 0 { "0".to_owned() } else { format!("0x{value:X}") }
+            ));
         }
         if let Some(at) = range.sets {
             notes.push(format!("an access sets {}", book.field_link(at)));

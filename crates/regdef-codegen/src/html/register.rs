@@ -43,7 +43,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
     let others: Vec<_> = mentions.iter().filter(|(t, _)| !matches!(*t, "Conflict" | "Not stated")).cloned().collect();
     context! {
         name => name.clone(),
-        spelling => (!model.prefix.is_empty()).then(|| format!("{}{}", model.prefix, label(model, register))),
+        spelling => spelling(model, register),
         title => register.title.clone(),
         doc => safe(book.paragraphs(&register.doc, Some(id))),
         cites => safe(book.cites(&register.cites)),
@@ -76,6 +76,16 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
             .map(|(name, has, text)| context! { name, has, text => safe(text) })
             .collect::<Vec<_>>(),
         mentions => grouped(&others),
+    }
+}
+
+/// The manual's spelling, prefix included, where it is another than that of these pages.
+fn spelling(model: &Model, register: &Register) -> Option<String> {
+    let with_prefix = |label: &str| format!("{}{label}", model.prefix);
+    match register.dim.as_ref().map(|dim| &dim.labels[..]) {
+        Some([first, .., last]) => Some(format!("{} … {}", with_prefix(first), with_prefix(last))),
+        _ if model.prefix.is_empty() => None,
+        _ => Some(with_prefix(&label(model, register))),
     }
 }
 
@@ -169,7 +179,8 @@ fn aliases(model: &Model, register: &Register, at: u64) -> Vec<Value> {
         AliasOp::Set => "bits written 1 are set",
         AliasOp::Invert => "bits written 1 are inverted",
     };
-    let one = |a: &regdef::model::Alias| context! { name => a.name.clone(), offset => offset(at + a.offset), op => op(a.op) };
+    let one =
+        |a: &regdef::model::Alias| context! { name => a.name.clone(), offset => offset(at + a.offset), op => op(a.op) };
     model.aliases.iter().map(one).collect()
 }
 

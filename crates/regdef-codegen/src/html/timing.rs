@@ -12,7 +12,10 @@ pub(super) fn roles(phase: &TimingPhase) -> Vec<(FieldRef, &'static str)> {
     let all = [
         (Some(phase.prescaler), "prescaler"),
         (phase.propagation, "propagation segment"),
-        (Some(phase.segment1), if phase.propagation.is_some() { "phase segment 1" } else { "propagation and phase segment 1" }),
+        (
+            Some(phase.segment1),
+            if phase.propagation.is_some() { "phase segment 1" } else { "propagation and phase segment 1" },
+        ),
         (Some(phase.segment2), "phase segment 2"),
         (Some(phase.jump_width), "synchronization jump width"),
     ];
