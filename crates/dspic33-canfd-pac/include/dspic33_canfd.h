@@ -2,7 +2,12 @@
  * CAN FD controller of the dsPIC33C family. 31 FIFOs, each configurable for transmission or reception, a
  * transmit queue that sends by message ID, a transmit event FIFO, and 32 acceptance filters with one mask each.
  * Messages lie in system RAM; hardware lays out event FIFO, queue and FIFOs one behind the other from one base
- * address and hands out the address of the object to use next.
+ * address and hands out the address of the object to use next. The manual gives no address. All offsets here are
+ * those of the MCP251xFD, a sister controller with the same register set and the full 31 FIFOs and 32 filters.
+ * Known dsPIC33C devices implement fewer FIFOs, and there the filter registers stand at lower addresses, right
+ * behind the last FIFO: with 7 FIFOs the filter control registers begin at 0x0B0 instead of 0x1D0. On such a
+ * device only the registers from 0x000 up to the last implemented FIFO (0x0AF with 7 FIFOs) stand where this
+ * description puts them.
  * Described after CAN Flexible Data-Rate (FD) Protocol Module, Microchip Technology Incorporated, revision C.
  * Generated from the description of the controller; changes belong there.
  * C99 or C++11. A field FIELD of a register REG has DSPIC33_CANFD_REG_FIELD_Pos, _Msk, _Width and _Access; a
@@ -94,7 +99,8 @@ extern "C" {
 #define DSPIC33_CANFD_RETRANSMISSION_ATTEMPTS_UNLIMITED_FIRST 2U
 #define DSPIC33_CANFD_RETRANSMISSION_ATTEMPTS_UNLIMITED_LAST 3U
 
-/* Number of data bytes of a frame. The codes above 8 mean 8 bytes in a CAN 2.0 frame.
+/* Number of data bytes of a frame. In a CAN 2.0 frame the codes above 8 all mean 8 bytes; the numbers here are
+ * those of a CAN FD frame.
  * Table 2-1
  */
 #define DSPIC33_CANFD_DATA_LENGTH_CODE_BYTES_0 0U
@@ -309,10 +315,11 @@ extern "C" {
 #define DSPIC33_CANFD_VEC_H_TXCODE_NONE 64U
 
 /* Values of FLTCON.FBP.
- * Register 3-50; Register 3-51; §8.1; external: mcp251xfd (offset)
+ * Register 3-50; Register 3-51; §8.1; §8.2; external: mcp251xfd (offset); external: mcp251xfd_api (offset with
+ * fewer FIFOs)
  */
-/* Reserved: the transmit queue cannot receive. The value after reset; point to a FIFO before enabling the
- * filter.
+/* Reserved: FIFO 0 is the transmit queue, which cannot receive. The value after reset; point to a FIFO before
+ * enabling the filter.
  */
 #define DSPIC33_CANFD_FLT_CON_FBP_TRANSMIT_QUEUE 0U
 /* Stored in FIFO n. */
@@ -493,6 +500,7 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_regs_t) == 0x2F0U, dspic33_canf
 
 /* CONL: CAN Control Register Low.
  * Module enable, clock source, low-power behaviour and protocol options.
+ * Contradictions of the manual: protected_fields.
  * Register 3-1; external: mcp251xfd (offset)
  */
 #define DSPIC33_CANFD_CON_L_OFFSET 0x000U
@@ -550,7 +558,7 @@ static inline uint16_t dspic33_canfd_con_l_brsdis_set(uint16_t reg, uint16_t val
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_CON_L_BRSDIS_Msk) | DSPIC33_CANFD_CON_L_BRSDIS_SET(value));
 }
-/* BUSY: The module is active on the bus. Access ro. */
+/* BUSY: The module is active (1) or inactive (0). Access ro. */
 #define DSPIC33_CANFD_CON_L_BUSY_Pos 11U
 #define DSPIC33_CANFD_CON_L_BUSY_Msk 0x0800U
 #define DSPIC33_CANFD_CON_L_BUSY_Width 1U
@@ -652,7 +660,8 @@ static inline uint16_t dspic33_canfd_con_l_isocrcen_set(uint16_t reg, uint16_t v
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_CON_L_ISOCRCEN_Msk) | DSPIC33_CANFD_CON_L_ISOCRCEN_SET(value));
 }
 /* DNCNT: DeviceNet filtering: number of data bits of a standard frame that are compared with EID0, EID1, ... of
- * the filter, beginning with bit 7 of data byte 0. A shorter payload ends the comparison early. Access rw.
+ * a filter set up for standard frames, beginning with bit 7 of data byte 0. A shorter payload ends the
+ * comparison early. Access rw. May be programmed with 0 to 18.
  * Contradictions of the manual: dncnt_invalid, data_filter_bits.
  * Register 3-1; §8.2.3; Table 8-1
  */
@@ -667,7 +676,7 @@ static inline uint16_t dspic33_canfd_con_l_dncnt_get(uint16_t reg)
 }
 static inline uint16_t dspic33_canfd_con_l_dncnt_set(uint16_t reg, uint16_t value)
 {
-    DSPIC33_CANFD_ASSERT(value <= 31U);
+    DSPIC33_CANFD_ASSERT(value <= 18U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_CON_L_DNCNT_Msk) | DSPIC33_CANFD_CON_L_DNCNT_SET(value));
 }
 /* Clears and sets the given bits: one read and one store. Flags and requests that are not among the given bits
@@ -1124,6 +1133,7 @@ static inline void dspic33_canfd_tdc_l_modify(dspic33_canfd_regs_t *regs, uint16
 
 /* TDCH: CAN Transmitter Delay Compensation Register High.
  * Mode of the transmitter delay compensation, edge filtering and 12-bit standard IDs.
+ * Contradictions of the manual: protected_fields.
  * Register 3-8; external: mcp251xfd (offset)
  */
 #define DSPIC33_CANFD_TDC_H_OFFSET 0x00EU
@@ -1434,6 +1444,7 @@ static inline uint16_t dspic33_canfd_int_l_ivmif_get(uint16_t reg)
 /* WAKIF: Bus activity was detected while the module was in Sleep mode. The message that did it is lost;
  * reception starts again after 11 recessive bits in a requested Normal mode. Access w0c. A flag: writing 0
  * clears it, writing 1 does nothing.
+ * Contradictions of the manual: wake_up_in_disable_mode.
  * Register 3-15; §12.3.2; §4.6.3
  */
 #define DSPIC33_CANFD_INT_L_WAKIF_Pos 14U
@@ -1568,7 +1579,9 @@ static inline uint16_t dspic33_canfd_int_h_ivmie_set(uint16_t reg, uint16_t valu
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_INT_H_IVMIE_Msk) | DSPIC33_CANFD_INT_H_IVMIE_SET(value));
 }
-/* WAKIE: Enables the wake-up interrupt; needed for a dominant edge on CxRX to wake the device. Access rw. */
+/* WAKIE: Enables the wake-up interrupt; needed for a dominant edge on CxRX to wake the device. Access rw.
+ * Contradictions of the manual: wake_up_in_disable_mode.
+ */
 #define DSPIC33_CANFD_INT_H_WAKIE_Pos 14U
 #define DSPIC33_CANFD_INT_H_WAKIE_Msk 0x4000U
 #define DSPIC33_CANFD_INT_H_WAKIE_Width 1U
@@ -1972,9 +1985,10 @@ static inline void dspic33_canfd_txreq_h_request(dspic33_canfd_regs_t *regs, uin
  * Hazard: The size of the memory used follows from the sizes of the event FIFO, the queue and the FIFOs; nothing
  * keeps the module inside a buffer that is too small.
  * A write is dangerous: The module writes received messages and transmit events to RAM from this address on,
- * whatever lies there.
+ * whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the
+ * FIFOs lay out.
  * Contradictions of the manual: protected_fields.
- * Register 3-27; external: mcp251xfd (offset)
+ * Register 3-27; external: mcp251xfd_api (offset)
  */
 #define DSPIC33_CANFD_FIFOBA_L_OFFSET 0x04CU
 #define DSPIC33_CANFD_FIFOBA_L_RESET 0x0000U
@@ -2010,9 +2024,10 @@ static inline void dspic33_canfd_fifoba_l_modify(dspic33_canfd_regs_t *regs, uin
 /* FIFOBAH: CAN Message Memory Base Address Register High.
  * High half of the RAM address at which the message objects begin.
  * A write is dangerous: The module writes received messages and transmit events to RAM from this address on,
- * whatever lies there.
+ * whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the
+ * FIFOs lay out.
  * Contradictions of the manual: protected_fields.
- * Register 3-28; external: mcp251xfd (offset)
+ * Register 3-28; external: mcp251xfd_api (offset)
  */
 #define DSPIC33_CANFD_FIFOBA_H_OFFSET 0x04EU
 #define DSPIC33_CANFD_FIFOBA_H_RESET 0x0000U
@@ -2050,7 +2065,7 @@ static inline void dspic33_canfd_fifoba_h_modify(dspic33_canfd_regs_t *regs, uin
  * when the queue runs empty.
  * Hazard: Before FRESET no transmission may be pending; afterwards wait until FRESET reads 0. In Configuration
  * mode it stays 1.
- * Hazard: Loading a message into a full queue can corrupt one that is being sent; check TXQNIF first.
+ * Hazard: Writing into a full queue can damage a message that is being sent; check TXQNIF first.
  * Register 3-29; external: mcp251xfd (offset)
  */
 #define DSPIC33_CANFD_TXQCON_L_OFFSET 0x050U
@@ -2256,8 +2271,8 @@ static inline uint16_t dspic33_canfd_txqsta_txqci_get(uint16_t reg)
 {
     return (uint16_t)((reg & DSPIC33_CANFD_TXQSTA_TXQCI_Msk) >> DSPIC33_CANFD_TXQSTA_TXQCI_Pos);
 }
-/* TXABT: The message was aborted (1) or completed (0). Updated when a message completes or aborts and when the
- * queue is reset. Access ro.
+/* TXABT: The message was aborted (1) or completed (0). Renewed with every message that completes or aborts, and
+ * by a reset of the queue. Access ro.
  * Contradictions of the manual: txabt_reset.
  */
 #define DSPIC33_CANFD_TXQSTA_TXABT_Pos 7U
@@ -2268,8 +2283,8 @@ static inline uint16_t dspic33_canfd_txqsta_txabt_get(uint16_t reg)
 {
     return (uint16_t)((reg & DSPIC33_CANFD_TXQSTA_TXABT_Msk) >> DSPIC33_CANFD_TXQSTA_TXABT_Pos);
 }
-/* TXLARB: The message lost arbitration while being sent. Updated when a message completes or aborts and when the
- * queue is reset. Access ro.
+/* TXLARB: Another node won the arbitration against the message. Renewed with every message that completes or
+ * aborts, and by a reset of the queue. Access ro.
  */
 #define DSPIC33_CANFD_TXQSTA_TXLARB_Pos 6U
 #define DSPIC33_CANFD_TXQSTA_TXLARB_Msk 0x0040U
@@ -2279,8 +2294,8 @@ static inline uint16_t dspic33_canfd_txqsta_txlarb_get(uint16_t reg)
 {
     return (uint16_t)((reg & DSPIC33_CANFD_TXQSTA_TXLARB_Msk) >> DSPIC33_CANFD_TXQSTA_TXLARB_Pos);
 }
-/* TXERR: A bus error occurred while the message was being sent. Updated when a message completes or aborts and
- * when the queue is reset. Access ro.
+/* TXERR: Sending the message met a bus error. Renewed with every message that completes or aborts, and by a
+ * reset of the queue. Access ro.
  */
 #define DSPIC33_CANFD_TXQSTA_TXERR_Pos 5U
 #define DSPIC33_CANFD_TXQSTA_TXERR_Msk 0x0020U
@@ -2643,8 +2658,8 @@ static inline uint16_t dspic33_canfd_trec_l_rerrcnt_get(uint16_t reg)
 #define DSPIC33_CANFD_TREC_H_OFFSET 0x036U
 #define DSPIC33_CANFD_TREC_H_RESET 0x0020U
 #define DSPIC33_CANFD_TREC_H_RESET_MASK 0xFFFFU
-/* TXBO: The transmitter is in bus off (TEC above 255) and CxTX stays high. Also set in Configuration mode,
- * because the module is not on the bus. Access ro.
+/* TXBO: The transmitter is in bus off (TEC above 255) and CxTX stays high. Also set in Configuration mode, in
+ * which the module is off the bus. Access ro.
  * Contradictions of the manual: trec_reset_txbo, txbo_threshold.
  */
 #define DSPIC33_CANFD_TREC_H_TXBO_Pos 5U
@@ -2966,8 +2981,8 @@ static inline uint16_t dspic33_canfd_bdiag1_h_txboerr_set(uint16_t reg, uint16_t
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_BDIAG1_H_TXBOERR_Msk) | DSPIC33_CANFD_BDIAG1_H_TXBOERR_SET(value));
 }
-/* NCRCERR: The CRC of a received message did not match the CRC calculated from its data. Access rwh. Read and
- * write, but hardware changes it too: writing back a stale value undoes the hardware.
+/* NCRCERR: CRC error at the nominal bit rate: the CRC received differs from the one computed over the frame.
+ * Access rwh. Read and write, but hardware changes it too: writing back a stale value undoes the hardware.
  */
 #define DSPIC33_CANFD_BDIAG1_H_NCRCERR_Pos 5U
 #define DSPIC33_CANFD_BDIAG1_H_NCRCERR_Msk 0x0020U
@@ -2983,8 +2998,9 @@ static inline uint16_t dspic33_canfd_bdiag1_h_ncrcerr_set(uint16_t reg, uint16_t
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_BDIAG1_H_NCRCERR_Msk) | DSPIC33_CANFD_BDIAG1_H_NCRCERR_SET(value));
 }
-/* NSTUFERR: More than five equal bits in a row in a part of a received message where that is not allowed. Access
- * rwh. Read and write, but hardware changes it too: writing back a stale value undoes the hardware.
+/* NSTUFERR: Stuff error at the nominal bit rate: a received frame had six or more equal bits in a row where bit
+ * stuffing rules them out. Access rwh. Read and write, but hardware changes it too: writing back a stale value
+ * undoes the hardware.
  */
 #define DSPIC33_CANFD_BDIAG1_H_NSTUFERR_Pos 4U
 #define DSPIC33_CANFD_BDIAG1_H_NSTUFERR_Msk 0x0010U
@@ -3000,8 +3016,9 @@ static inline uint16_t dspic33_canfd_bdiag1_h_nstuferr_set(uint16_t reg, uint16_
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_BDIAG1_H_NSTUFERR_Msk) | DSPIC33_CANFD_BDIAG1_H_NSTUFERR_SET(value));
 }
-/* NFORMERR: A part of a received frame that has a fixed format had the wrong one. Access rwh. Read and write,
- * but hardware changes it too: writing back a stale value undoes the hardware.
+/* NFORMERR: Form error at the nominal bit rate: a field of fixed form in a received frame held other bits than
+ * it must. Access rwh. Read and write, but hardware changes it too: writing back a stale value undoes the
+ * hardware.
  */
 #define DSPIC33_CANFD_BDIAG1_H_NFORMERR_Pos 3U
 #define DSPIC33_CANFD_BDIAG1_H_NFORMERR_Msk 0x0008U
@@ -3017,7 +3034,7 @@ static inline uint16_t dspic33_canfd_bdiag1_h_nformerr_set(uint16_t reg, uint16_
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_BDIAG1_H_NFORMERR_Msk) | DSPIC33_CANFD_BDIAG1_H_NFORMERR_SET(value));
 }
-/* NACKERR: A transmitted message was not acknowledged. Access rwh. Read and write, but hardware changes it too:
+/* NACKERR: No node acknowledged a transmitted message. Access rwh. Read and write, but hardware changes it too:
  * writing back a stale value undoes the hardware.
  */
 #define DSPIC33_CANFD_BDIAG1_H_NACKERR_Pos 2U
@@ -3080,7 +3097,8 @@ static inline uint16_t dspic33_canfd_bdiag1_h_nbit0err_set(uint16_t reg, uint16_
  * Hazard: Order for changing a filter: clear FLTEN, write object and mask, write FnBP, set FLTEN.
  * Hazard: On devices with fewer FIFOs than 31 these registers stand at a lower address.
  * Contradictions of the manual: register_headings.
- * Register 3-50; Register 3-51; §8.1; external: mcp251xfd (offset)
+ * Register 3-50; Register 3-51; §8.1; §8.2; external: mcp251xfd (offset); external: mcp251xfd_api (offset with
+ * fewer FIFOs)
  */
 #define DSPIC33_CANFD_FLT_CON_OFFSET 0x1D0U
 #define DSPIC33_CANFD_FLT_CON_COUNT 16U
@@ -3106,8 +3124,9 @@ static inline uint16_t dspic33_canfd_flt_con_flten_set(uint16_t reg, unsigned in
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_FLT_CON_FLTEN_Msk(lane)) | DSPIC33_CANFD_FLT_CON_FLTEN_SET(lane, value));
 }
-/* FnBP: FIFO that stores the messages filter n accepts. Pointing to a transmit FIFO with RTREN set, a matching
- * remote frame requests its transmission. Access rw. Lane 0 is number 0 in the first register.
+/* FnBP: FIFO that stores the messages filter n accepts. If it is a transmit FIFO with RTREN set, a matching
+ * remote frame requests its transmission; a message for a transmit FIFO with RTREN clear is discarded. Access
+ * rw. Lane 0 is number 0 in the first register.
  */
 #define DSPIC33_CANFD_FLT_CON_FBP_Pos(lane) (0U + 8U * (lane))
 #define DSPIC33_CANFD_FLT_CON_FBP_Msk(lane) ((uint16_t)(0x001FU << (8U * (lane))))
@@ -3211,7 +3230,7 @@ static inline uint16_t dspic33_canfd_canclkcon_canclkdiv_set(uint16_t reg, uint1
  * when the FIFO runs empty.
  * Hazard: Before FRESET of a transmit FIFO no transmission may be pending; before FRESET of a receive FIFO no
  * enabled filter may point to it. Afterwards wait until FRESET reads 0. In Configuration mode it stays 1.
- * Hazard: Loading a message into a full FIFO can corrupt one that is being sent; check TFNRFNIF first.
+ * Hazard: Writing into a full FIFO can damage a message that is being sent; check TFNRFNIF first.
  * Contradictions of the manual: register_headings.
  * Register 3-32; external: mcp251xfd (offset)
  */
@@ -3536,8 +3555,8 @@ static inline uint16_t dspic33_canfd_fifo_sta_txabt_get(uint16_t reg)
 {
     return (uint16_t)((reg & DSPIC33_CANFD_FIFO_STA_TXABT_Msk) >> DSPIC33_CANFD_FIFO_STA_TXABT_Pos);
 }
-/* TXLARB: The message lost arbitration while being sent. Updated when a message completes or aborts and when the
- * FIFO is reset. Access ro.
+/* TXLARB: Another node won the arbitration against the message. Renewed with every message that completes or
+ * aborts, and by a reset of the FIFO. Access ro.
  */
 #define DSPIC33_CANFD_FIFO_STA_TXLARB_Pos 6U
 #define DSPIC33_CANFD_FIFO_STA_TXLARB_Msk 0x0040U
@@ -3547,8 +3566,8 @@ static inline uint16_t dspic33_canfd_fifo_sta_txlarb_get(uint16_t reg)
 {
     return (uint16_t)((reg & DSPIC33_CANFD_FIFO_STA_TXLARB_Msk) >> DSPIC33_CANFD_FIFO_STA_TXLARB_Pos);
 }
-/* TXERR: A bus error occurred while the message was being sent. Updated when a message completes or aborts and
- * when the FIFO is reset. Access ro.
+/* TXERR: Sending the message met a bus error. Renewed with every message that completes or aborts, and by a
+ * reset of the FIFO. Access ro.
  */
 #define DSPIC33_CANFD_FIFO_STA_TXERR_Pos 5U
 #define DSPIC33_CANFD_FIFO_STA_TXERR_Msk 0x0020U
@@ -4209,7 +4228,7 @@ static inline void dspic33_canfd_bdiag1_write(dspic33_canfd_regs_t *regs, uint32
     regs->BDIAG1H = (uint16_t)((uint16_t)(((uint16_t)(value >> 16U) << 0U) & 0xFFFFU));
 }
 
-/* FIFOUA: User address: where the next message is to be written (transmit) or read (receive).
+/* FIFOUA: User address: the object to fill next (transmit) or to read next (receive).
  * Accessed in the order FIFOUAnL, FIFOUAnH.
  * Register 3-38; Register 3-39
  */
@@ -4351,7 +4370,7 @@ DSPIC33_CANFD_STATIC_ASSERT(offsetof(dspic33_canfd_tx_object_t, PAYLOAD) == 0x00
 DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_tx_object_t) == 0x048U, dspic33_canfd_tx_object_size);
 #define DSPIC33_CANFD_TX_OBJECT_HEADER_BYTES 8U
 /* Word T0 of TX_OBJECT: Standard identifier and low bits of the extended identifier.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TX_OBJECT_T0_OFFSET 0x000U
 /* EID[4:0]: Extended identifier bits 4 to 0. Access rw. */
@@ -4385,7 +4404,7 @@ static inline uint16_t dspic33_canfd_tx_object_t0_sid_set(uint16_t reg, uint16_t
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TX_OBJECT_T0_SID_Msk) | DSPIC33_CANFD_TX_OBJECT_T0_SID_SET(value));
 }
 /* Word T1 of TX_OBJECT: SID11 and high bits of the extended identifier.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TX_OBJECT_T1_OFFSET 0x002U
 /* SID11: Least significant bit of a 12-bit standard identifier, the RRS bit of CAN FD base frames with SID11EN.
@@ -4421,7 +4440,7 @@ static inline uint16_t dspic33_canfd_tx_object_t1_eid_set(uint16_t reg, uint16_t
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TX_OBJECT_T1_EID_Msk) | DSPIC33_CANFD_TX_OBJECT_T1_EID_SET(value));
 }
 /* Word T2 of TX_OBJECT: Control bits and low bits of the sequence number.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TX_OBJECT_T2_OFFSET 0x004U
 /* SEQ[6:0]: Bits 6 to 0 of a number that software chooses to recognize the message in the transmit event FIFO;
@@ -4537,7 +4556,7 @@ static inline uint16_t dspic33_canfd_tx_object_t2_dlc_set(uint16_t reg, uint16_t
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TX_OBJECT_T2_DLC_Msk) | DSPIC33_CANFD_TX_OBJECT_T2_DLC_SET(value));
 }
 /* Word T3 of TX_OBJECT: High bits of the sequence number.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TX_OBJECT_T3_OFFSET 0x006U
 /* SEQ[22:7]: Bits 22 to 7 of the sequence number. Access rw. */
@@ -4660,7 +4679,7 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_rx_object_t) == 0x048U, dspic33
  */
 #define DSPIC33_CANFD_RX_OBJECT_R0_OFFSET 0x000U
 /* EID[4:0]: Extended identifier bits 4 to 0. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_R0_EID_Pos 11U
 #define DSPIC33_CANFD_RX_OBJECT_R0_EID_Msk 0xF800U
@@ -4677,7 +4696,7 @@ static inline uint16_t dspic33_canfd_rx_object_r0_eid_set(uint16_t reg, uint16_t
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_RX_OBJECT_R0_EID_Msk) | DSPIC33_CANFD_RX_OBJECT_R0_EID_SET(value));
 }
 /* SID: Standard identifier, or the base identifier of an extended one. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_R0_SID_Pos 0U
 #define DSPIC33_CANFD_RX_OBJECT_R0_SID_Msk 0x07FFU
@@ -4699,7 +4718,7 @@ static inline uint16_t dspic33_canfd_rx_object_r0_sid_set(uint16_t reg, uint16_t
 #define DSPIC33_CANFD_RX_OBJECT_R1_OFFSET 0x002U
 /* SID11: Least significant bit of a 12-bit standard identifier, the RRS bit of CAN FD base frames with SID11EN.
  * Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_R1_SID11_Pos 13U
 #define DSPIC33_CANFD_RX_OBJECT_R1_SID11_Msk 0x2000U
@@ -4716,7 +4735,7 @@ static inline uint16_t dspic33_canfd_rx_object_r1_sid11_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_RX_OBJECT_R1_SID11_Msk) | DSPIC33_CANFD_RX_OBJECT_R1_SID11_SET(value));
 }
 /* EID[17:5]: Extended identifier bits 17 to 5. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_R1_EID_Pos 0U
 #define DSPIC33_CANFD_RX_OBJECT_R1_EID_Msk 0x1FFFU
@@ -4945,7 +4964,7 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_rx_object_ts_t) == 0x04CU, dspi
  */
 #define DSPIC33_CANFD_RX_OBJECT_TS_R0_OFFSET 0x000U
 /* EID[4:0]: Extended identifier bits 4 to 0. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_TS_R0_EID_Pos 11U
 #define DSPIC33_CANFD_RX_OBJECT_TS_R0_EID_Msk 0xF800U
@@ -4962,7 +4981,7 @@ static inline uint16_t dspic33_canfd_rx_object_ts_r0_eid_set(uint16_t reg, uint1
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_RX_OBJECT_TS_R0_EID_Msk) | DSPIC33_CANFD_RX_OBJECT_TS_R0_EID_SET(value));
 }
 /* SID: Standard identifier, or the base identifier of an extended one. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_TS_R0_SID_Pos 0U
 #define DSPIC33_CANFD_RX_OBJECT_TS_R0_SID_Msk 0x07FFU
@@ -4984,7 +5003,7 @@ static inline uint16_t dspic33_canfd_rx_object_ts_r0_sid_set(uint16_t reg, uint1
 #define DSPIC33_CANFD_RX_OBJECT_TS_R1_OFFSET 0x002U
 /* SID11: Least significant bit of a 12-bit standard identifier, the RRS bit of CAN FD base frames with SID11EN.
  * Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_TS_R1_SID11_Pos 13U
 #define DSPIC33_CANFD_RX_OBJECT_TS_R1_SID11_Msk 0x2000U
@@ -5001,7 +5020,7 @@ static inline uint16_t dspic33_canfd_rx_object_ts_r1_sid11_set(uint16_t reg, uin
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_RX_OBJECT_TS_R1_SID11_Msk) | DSPIC33_CANFD_RX_OBJECT_TS_R1_SID11_SET(value));
 }
 /* EID[17:5]: Extended identifier bits 17 to 5. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_RX_OBJECT_TS_R1_EID_Pos 0U
 #define DSPIC33_CANFD_RX_OBJECT_TS_R1_EID_Msk 0x1FFFU
@@ -5274,7 +5293,7 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_tef_object_t) == 0x008U, dspic3
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE0_OFFSET 0x000U
 /* EID[4:0]: Extended identifier bits 4 to 0. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE0_EID_Pos 11U
 #define DSPIC33_CANFD_TEF_OBJECT_TE0_EID_Msk 0xF800U
@@ -5291,7 +5310,7 @@ static inline uint16_t dspic33_canfd_tef_object_te0_eid_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TE0_EID_Msk) | DSPIC33_CANFD_TEF_OBJECT_TE0_EID_SET(value));
 }
 /* SID: Standard identifier, or the base identifier of an extended one. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE0_SID_Pos 0U
 #define DSPIC33_CANFD_TEF_OBJECT_TE0_SID_Msk 0x07FFU
@@ -5313,7 +5332,7 @@ static inline uint16_t dspic33_canfd_tef_object_te0_sid_set(uint16_t reg, uint16
 #define DSPIC33_CANFD_TEF_OBJECT_TE1_OFFSET 0x002U
 /* SID11: Least significant bit of a 12-bit standard identifier, the RRS bit of CAN FD base frames with SID11EN.
  * Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE1_SID11_Pos 13U
 #define DSPIC33_CANFD_TEF_OBJECT_TE1_SID11_Msk 0x2000U
@@ -5330,7 +5349,7 @@ static inline uint16_t dspic33_canfd_tef_object_te1_sid11_set(uint16_t reg, uint
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TE1_SID11_Msk) | DSPIC33_CANFD_TEF_OBJECT_TE1_SID11_SET(value));
 }
 /* EID[17:5]: Extended identifier bits 17 to 5. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE1_EID_Pos 0U
 #define DSPIC33_CANFD_TEF_OBJECT_TE1_EID_Msk 0x1FFFU
@@ -5352,7 +5371,7 @@ static inline uint16_t dspic33_canfd_tef_object_te1_eid_set(uint16_t reg, uint16
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_OFFSET 0x004U
 /* SEQ[6:0]: Bits 6 to 0 of a number that software chooses to recognize the message in the transmit event FIFO;
  * not sent on the bus. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_SEQ_Pos 9U
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_SEQ_Msk 0xFE00U
@@ -5369,7 +5388,7 @@ static inline uint16_t dspic33_canfd_tef_object_te2_seq_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TE2_SEQ_Msk) | DSPIC33_CANFD_TEF_OBJECT_TE2_SEQ_SET(value));
 }
 /* BRS: Bit rate of the data phase of a CAN FD frame. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_BRS_Pos 6U
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_BRS_Msk 0x0040U
@@ -5386,7 +5405,7 @@ static inline uint16_t dspic33_canfd_tef_object_te2_brs_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TE2_BRS_Msk) | DSPIC33_CANFD_TEF_OBJECT_TE2_BRS_SET(value));
 }
 /* RTR: Remote transmission request; CAN 2.0 frames only. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_RTR_Pos 5U
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_RTR_Msk 0x0020U
@@ -5403,7 +5422,7 @@ static inline uint16_t dspic33_canfd_tef_object_te2_rtr_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TE2_RTR_Msk) | DSPIC33_CANFD_TEF_OBJECT_TE2_RTR_SET(value));
 }
 /* IDE: Identifier format. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_IDE_Pos 4U
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_IDE_Msk 0x0010U
@@ -5419,8 +5438,8 @@ static inline uint16_t dspic33_canfd_tef_object_te2_ide_set(uint16_t reg, uint16
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TE2_IDE_Msk) | DSPIC33_CANFD_TEF_OBJECT_TE2_IDE_SET(value));
 }
-/* ESI: ESI; in gateway mode (ESIGM) the transmitted flag is the OR of this bit and the error passive state of
- * the controller. Access rw.
+/* ESI: ESI; in gateway mode (ESIGM) the flag went out recessive if this bit is set or the controller was error
+ * passive. Access rw.
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_ESI_Pos 8U
 #define DSPIC33_CANFD_TEF_OBJECT_TE2_ESI_Msk 0x0100U
@@ -5473,7 +5492,7 @@ static inline uint16_t dspic33_canfd_tef_object_te2_dlc_set(uint16_t reg, uint16
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE3_OFFSET 0x006U
 /* SEQ[22:7]: Bits 22 to 7 of the sequence number. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TE3_SEQ_Pos 0U
 #define DSPIC33_CANFD_TEF_OBJECT_TE3_SEQ_Msk 0xFFFFU
@@ -5552,7 +5571,7 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_tef_object_ts_t) == 0x00CU, dsp
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE0_OFFSET 0x000U
 /* EID[4:0]: Extended identifier bits 4 to 0. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE0_EID_Pos 11U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE0_EID_Msk 0xF800U
@@ -5569,7 +5588,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te0_eid_set(uint16_t reg, uin
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TS_TE0_EID_Msk) | DSPIC33_CANFD_TEF_OBJECT_TS_TE0_EID_SET(value));
 }
 /* SID: Standard identifier, or the base identifier of an extended one. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE0_SID_Pos 0U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE0_SID_Msk 0x07FFU
@@ -5591,7 +5610,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te0_sid_set(uint16_t reg, uin
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE1_OFFSET 0x002U
 /* SID11: Least significant bit of a 12-bit standard identifier, the RRS bit of CAN FD base frames with SID11EN.
  * Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE1_SID11_Pos 13U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE1_SID11_Msk 0x2000U
@@ -5608,7 +5627,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te1_sid11_set(uint16_t reg, u
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TS_TE1_SID11_Msk) | DSPIC33_CANFD_TEF_OBJECT_TS_TE1_SID11_SET(value));
 }
 /* EID[17:5]: Extended identifier bits 17 to 5. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1; Table 9-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE1_EID_Pos 0U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE1_EID_Msk 0x1FFFU
@@ -5630,7 +5649,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te1_eid_set(uint16_t reg, uin
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_OFFSET 0x004U
 /* SEQ[6:0]: Bits 6 to 0 of a number that software chooses to recognize the message in the transmit event FIFO;
  * not sent on the bus. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_SEQ_Pos 9U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_SEQ_Msk 0xFE00U
@@ -5647,7 +5666,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te2_seq_set(uint16_t reg, uin
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TS_TE2_SEQ_Msk) | DSPIC33_CANFD_TEF_OBJECT_TS_TE2_SEQ_SET(value));
 }
 /* BRS: Bit rate of the data phase of a CAN FD frame. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_BRS_Pos 6U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_BRS_Msk 0x0040U
@@ -5664,7 +5683,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te2_brs_set(uint16_t reg, uin
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TS_TE2_BRS_Msk) | DSPIC33_CANFD_TEF_OBJECT_TS_TE2_BRS_SET(value));
 }
 /* RTR: Remote transmission request; CAN 2.0 frames only. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_RTR_Pos 5U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_RTR_Msk 0x0020U
@@ -5681,7 +5700,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te2_rtr_set(uint16_t reg, uin
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TS_TE2_RTR_Msk) | DSPIC33_CANFD_TEF_OBJECT_TS_TE2_RTR_SET(value));
 }
 /* IDE: Identifier format. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_IDE_Pos 4U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_IDE_Msk 0x0010U
@@ -5697,8 +5716,8 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te2_ide_set(uint16_t reg, uin
     DSPIC33_CANFD_ASSERT(value <= 1U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_CANFD_TEF_OBJECT_TS_TE2_IDE_Msk) | DSPIC33_CANFD_TEF_OBJECT_TS_TE2_IDE_SET(value));
 }
-/* ESI: ESI; in gateway mode (ESIGM) the transmitted flag is the OR of this bit and the error passive state of
- * the controller. Access rw.
+/* ESI: ESI; in gateway mode (ESIGM) the flag went out recessive if this bit is set or the controller was error
+ * passive. Access rw.
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_ESI_Pos 8U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE2_ESI_Msk 0x0100U
@@ -5751,7 +5770,7 @@ static inline uint16_t dspic33_canfd_tef_object_ts_te2_dlc_set(uint16_t reg, uin
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE3_OFFSET 0x006U
 /* SEQ[22:7]: Bits 22 to 7 of the sequence number. Access rw.
- * Table 6-1; §6.1
+ * Table 6-1; §6.1; Table 7-1
  */
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE3_SEQ_Pos 0U
 #define DSPIC33_CANFD_TEF_OBJECT_TS_TE3_SEQ_Msk 0xFFFFU

@@ -108,7 +108,7 @@ extern "C" {
 /* Values of FCTRL.DMABS.
  * Number of message buffers in DMA RAM. The manual lists the seven sizes in this order and prints only code 3
  * for 12; the other codes follow from the order and from outside sources.
- * §9.3 p.57; external: faq_665; external: driver_dmabs
+ * §9.3 p.57; external: faq_665; external: driver_dmabs; external: driver_icode
  */
 /* 4 buffers. */
 #define DSPIC33_ECAN_BUFFER_COUNT_BUFFERS_4 0U
@@ -125,8 +125,16 @@ extern "C" {
 /* 32 buffers. */
 #define DSPIC33_ECAN_BUFFER_COUNT_BUFFERS_32 6U
 
+/* Values of VEC.FILHIT.
+ * Number of an acceptance filter. There are sixteen, so the field never shows the other codes.
+ * §5.0 Buffer 5-8 p.37; §1.0 p.2
+ */
+/* Acceptance filter of this number. */
+#define DSPIC33_ECAN_FILTER_NUMBER_FILTER_FIRST 0U
+#define DSPIC33_ECAN_FILTER_NUMBER_FILTER_LAST 15U
+
 /* Values of VEC.ICODE.
- * Codes of the event interrupt. The page that lists them is missing from the available copy of the manual.
+ * Codes of the event interrupt. The page that lists them is missing from the cited copy.
  * external: driver_icode; §12.3 p.69
  */
 /* Transmit or receive buffer of this number. */
@@ -436,7 +444,7 @@ static inline void dspic33_ecan_ctrl2_modify(dspic33_ecan_regs_t *regs, uint16_t
 }
 
 /* VEC: CAN Interrupt Code Register.
- * Interrupt cause in a form that can index a jump table. The register's page is missing from the available copy;
+ * Interrupt cause in a form that can index a jump table. The register's page is missing from the cited copy;
  * fields and positions are those of the register maps and of the device header.
  * Contradictions of the manual: lost_vec_page.
  * Table 3-1 p.9; §12.3 p.69; Register 4-22 p.29; external: header_mc710 (bit positions); external: linker_mc710
@@ -446,9 +454,9 @@ static inline void dspic33_ecan_ctrl2_modify(dspic33_ecan_regs_t *regs, uint16_t
 #define DSPIC33_ECAN_VEC_RESET 0x0000U
 #define DSPIC33_ECAN_VEC_RESET_MASK 0xE080U
 /* FILHIT: Number of the filter that a message hit, 0 to 15. The manual explains the field only in word 7 of the
- * message buffer; which message it belongs to here is not said. Access ro. May be programmed with 0 to 15.
+ * message buffer; which message it belongs to here is not said. Access ro.
  * Contradictions of the manual: lost_vec_page.
- * Table 3-1 p.9; Register 5-8 p.37
+ * Table 3-1 p.9; §5.0 Buffer 5-8 p.37
  */
 #define DSPIC33_ECAN_VEC_FILHIT_Pos 8U
 #define DSPIC33_ECAN_VEC_FILHIT_Msk 0x1F00U
@@ -474,14 +482,15 @@ static inline uint16_t dspic33_ecan_vec_icode_get(uint16_t reg)
 
 /* FCTRL: CAN FIFO Control Register.
  * Number of message buffers and start of the receive FIFO. The FIFO ends with the last buffer. The register's
- * page is missing from the available copy; fields and positions are restored from the text.
+ * page is missing from the cited copy; fields and positions are restored from the text.
  * Hazard: A FIFO that includes a transmit buffer loses every message meant for that buffer.
  * Hazard: FSA must not be larger than the number of buffers minus one; otherwise FNRB counts past the end of the
  * buffers.
  * Hazard: On some PIC24H silicon received data can land in the wrong buffer with peripheral indirect DMA (errata
  * DS80000441J, item 17).
- * A write is dangerous: The number of buffers decides how far behind DMAxSTA the receive DMA channel writes; a
- * number larger than the memory set aside lets received messages overwrite other data.
+ * A write is dangerous: The receive DMA channel writes 16 bytes at DMAxSTA plus 16 times the buffer number. The
+ * memory set aside there must hold the number of buffers that DMABS gives and every buffer that a filter points
+ * at; otherwise received messages overwrite other data.
  * Contradictions of the manual: lost_fctrl_page.
  * Table 3-1 p.9; §9.3 p.57; Register 4-18 p.25; external: header_mc710 (bit positions); external: faq_665
  * (hazard); external: errata_pic24hj (hazard); external: linker_mc710 (offset)
@@ -570,8 +579,8 @@ static inline uint16_t dspic33_ecan_fifo_fnrb_get(uint16_t reg)
 }
 
 /* INTF: CAN Interrupt Flag Register.
- * Event flags in the low byte, error state in the high byte. The register's page is missing from the available
- * copy; the bits are restored from the register maps and from the sections on errors and interrupts.
+ * Event flags in the low byte, error state in the high byte. The register's page is missing from the cited copy;
+ * the bits are restored from the register maps and from the sections on errors and interrupts.
  * Hazard: Clear a flag with one store of the complement of its bit. A read-modify-write also clears a flag that
  * rose between the read and the write.
  * Hazard: Clearing ERRIF leaves the error state bits as they are.
@@ -904,8 +913,8 @@ static inline uint16_t dspic33_ecan_ec_rerrcnt_get(uint16_t reg)
 }
 
 /* CFG1: CAN Baud Rate Configuration Register 1.
- * Prescaler and synchronization jump width. The register's page is missing from the available copy; the fields
- * are restored from section 6.0 and the examples.
+ * Prescaler and synchronization jump width. The register's page is missing from the cited copy; the fields are
+ * restored from section 6.0 and the examples.
  * Contradictions of the manual: lost_cfg1_page.
  * Table 3-1 p.9; Figure 6-1 p.38; §6.3 p.39; Register 4-1 p.15; external: header_mc710 (bit positions);
  * external: linker_mc710 (offset)
@@ -932,10 +941,10 @@ static inline uint16_t dspic33_ecan_cfg1_sjw_set(uint16_t reg, uint16_t value)
     DSPIC33_ECAN_ASSERT(value <= 3U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_CFG1_SJW_Msk) | DSPIC33_ECAN_CFG1_SJW_SET(value));
 }
-/* BRP: Baud rate prescaler. A time quantum lasts 2 × (BRP + 1) instruction cycles of FCY. Access
- * rw:configuration. A write has an effect only if configuration (CTRL1.OPMODE == configuration). Means value +
- * 1.
- * Contradictions of the manual: lost_cfg1_page, scrambled_equation_6_1.
+/* BRP: Baud rate prescaler, 1 to 64. A time quantum lasts 2 × (BRP + 1) instruction cycles of FCY. Access
+ * rw:configuration. A write has an effect only if configuration (CTRL1.OPMODE == configuration). Means value + 1
+ * FCY/2 periods.
+ * Contradictions of the manual: lost_cfg1_page, scrambled_equation_6_1, example_6_2_clock.
  * Figure 6-1 p.38; Equation 6-2 p.40
  */
 #define DSPIC33_ECAN_CFG1_BRP_Pos 0U
@@ -1010,6 +1019,7 @@ static inline uint16_t dspic33_ecan_cfg2_seg2ph_set(uint16_t reg, uint16_t value
 }
 /* SEG2PHTS: Chooses how long phase segment 2 is. Access rw:configuration. A write has an effect only if
  * configuration (CTRL1.OPMODE == configuration).
+ * Contradictions of the manual: segment2_automatic.
  */
 #define DSPIC33_ECAN_CFG2_SEG2PHTS_Pos 7U
 #define DSPIC33_ECAN_CFG2_SEG2PHTS_Msk 0x0080U
@@ -1188,6 +1198,7 @@ static inline void dspic33_ecan_fmsk_sel_modify(dspic33_ecan_regs_t *regs, unsig
 /* RXFUL: The buffer of this number holds a received message. Set by the module; software writes 0 to release the
  * buffer. Access w0c. A flag: writing 0 clears it, writing 1 does nothing. Lane 0 is number 0 in the first
  * register.
+ * Contradictions of the manual: upper_half_numbering.
  */
 #define DSPIC33_ECAN_RXFUL_RXFUL_Pos(lane) (0U + 1U * (lane))
 #define DSPIC33_ECAN_RXFUL_RXFUL_Msk(lane) ((uint16_t)(0x0001U << (1U * (lane))))
@@ -1229,7 +1240,7 @@ static inline void dspic33_ecan_rxful_clear(dspic33_ecan_regs_t *regs, unsigned 
  * area, and was lost. The old content is kept. If several filters match and all their buffers are full, the
  * buffer of the lowest-numbered filter is marked. Access w0c. A flag: writing 0 clears it, writing 1 does
  * nothing. Lane 0 is number 0 in the first register.
- * Contradictions of the manual: rxovf_name.
+ * Contradictions of the manual: rxovf_name, upper_half_numbering.
  */
 #define DSPIC33_ECAN_RXOVF_RXOVF_Pos(lane) (0U + 1U * (lane))
 #define DSPIC33_ECAN_RXOVF_RXOVF_Msk(lane) ((uint16_t)(0x0001U << (1U * (lane))))
@@ -1256,8 +1267,7 @@ static inline void dspic33_ecan_rxovf_clear(dspic33_ecan_regs_t *regs, unsigned 
 
 /* TRCON: CAN TX/RX Buffer Control Register.
  * Control of two of the buffers 0 to 7, the even one in the low byte and the odd one in the high byte. The
- * register's page is missing from the available copy; the bits are restored from the register maps and section
- * 8.
+ * register's page is missing from the cited copy; the bits are restored from the register maps and section 8.
  * Visible only in the window buffer, while CTRL1.WIN is 0.
  * Hazard: Two buffers share one register and hardware changes both TXREQ bits. A read-modify-write for one
  * buffer can send the other buffer's message a second time, or abort one that has just been requested.
@@ -1476,11 +1486,10 @@ static inline void dspic33_ecan_txd_modify(dspic33_ecan_regs_t *regs, uint16_t c
  * Buffer for the messages of each filter, four filters to a register. If a message matches several filters, the
  * lowest-numbered one that points to an empty buffer takes it.
  * Visible only in the window filter, while CTRL1.WIN is 1.
+ * Hazard: The memory behind DMAxSTA must hold every buffer that a filter points at; see CxFCTRL.
  * Hazard: Code 15 is the FIFO. Message buffers 15 to 31 can be filled only through the FIFO.
  * Hazard: A filter may point to a transmit buffer only for automatic answers to remote frames (TXEN = 1 and
  * RTREN = 1).
- * A write is dangerous: The receive DMA channel writes 16 bytes at DMAxSTA plus 16 times the buffer number; a
- * pointer to a buffer that has no memory lets received messages overwrite other data.
  * Register 4-10 p.20; Register 4-11 p.21; Register 4-12 p.21; Register 4-13 p.22; §9.2.1 p.56; §9.2.4 p.56;
  * external: linker_mc710 (offset)
  */
@@ -1870,15 +1879,15 @@ static inline void dspic33_ecan_rxf_eid18_write(dspic33_ecan_regs_t *regs, unsig
 }
 
 /* TX_BUFFER: Message buffer, as software writes it for transmission.
- * Eight words in DMA RAM; transmit and receive buffers have the same layout. Eight words are transferred for
- * every message whatever its DLC. Only the buffers 0 to 7 can transmit.
+ * Eight words in DMA RAM; transmit and receive buffers have the same layout. Every message moves as eight words,
+ * whatever its DLC. Only the buffers 0 to 7 can transmit.
  * Eight data bytes, two to a word, the byte with the even number in the low half. Byte 0 is the first on the
  * bus. Bytes beyond the DLC are not sent.
  * §9.0 p.50; §10.1 p.64; Figure 8-1 p.44
  */
 typedef struct {
-    volatile uint16_t WORD0; /* Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1 is missing from the available copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to 8-3. */
-    volatile uint16_t WORD1; /* Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the available copy. */
+    volatile uint16_t WORD0; /* Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1 is missing from the cited copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to 8-3. */
+    volatile uint16_t WORD1; /* Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the cited copy. */
     volatile uint16_t WORD2; /* Low part of an extended identifier, frame type and data length. */
     volatile uint16_t PAYLOAD[4];
     volatile uint16_t WORD7; /* Transferred with the others, but not used for transmission. */
@@ -1891,9 +1900,9 @@ DSPIC33_ECAN_STATIC_ASSERT(offsetof(dspic33_ecan_tx_buffer_t, WORD7) == 0x00EU, 
 DSPIC33_ECAN_STATIC_ASSERT(sizeof(dspic33_ecan_tx_buffer_t) == 0x010U, dspic33_ecan_tx_buffer_size);
 #define DSPIC33_ECAN_TX_BUFFER_HEADER_BYTES 6U
 /* Word WORD0 of TX_BUFFER: Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1
- * is missing from the available copy; the positions follow from Figure 8-1 and from the values of Examples 8-1
- * to 8-3.
- * Figure 8-1 p.44; Example 8-1 p.45; Example 8-2 p.46; Example 8-3 p.49; Register 5-1 p.34; external:
+ * is missing from the cited copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to
+ * 8-3.
+ * Figure 8-1 p.44; Example 8-1 p.45; Example 8-2 p.46; Example 8-3 p.49; §5.0 Buffer 5-1 p.34; external:
  * frm_dspic33e (meaning of SRR); external: datasheet_dspic33e (bit positions)
  */
 #define DSPIC33_ECAN_TX_BUFFER_WORD0_OFFSET 0x000U
@@ -1948,8 +1957,8 @@ static inline uint16_t dspic33_ecan_tx_buffer_word0_ide_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_TX_BUFFER_WORD0_IDE_Msk) | DSPIC33_ECAN_TX_BUFFER_WORD0_IDE_SET(value));
 }
 /* Word WORD1 of TX_BUFFER: Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of
- * Buffer 5-2 is missing from the available copy.
- * Figure 8-1 p.44; Example 8-2 p.46; Register 5-2 p.34; external: datasheet_dspic33e (bit positions)
+ * Buffer 5-2 is missing from the cited copy.
+ * Figure 8-1 p.44; Example 8-2 p.46; §5.0 Buffer 5-2 p.34; external: datasheet_dspic33e (bit positions)
  */
 #define DSPIC33_ECAN_TX_BUFFER_WORD1_OFFSET 0x002U
 /* EID[17:6]: Bits 17 to 6 of the extended identifier. Access rw. */
@@ -1968,7 +1977,7 @@ static inline uint16_t dspic33_ecan_tx_buffer_word1_eid_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_TX_BUFFER_WORD1_EID_Msk) | DSPIC33_ECAN_TX_BUFFER_WORD1_EID_SET(value));
 }
 /* Word WORD2 of TX_BUFFER: Low part of an extended identifier, frame type and data length.
- * Register 5-3 p.35
+ * §5.0 Buffer 5-3 p.35
  */
 #define DSPIC33_ECAN_TX_BUFFER_WORD2_OFFSET 0x004U
 /* EID[5:0]: Bits 5 to 0 of the extended identifier. Access rw. */
@@ -2037,7 +2046,7 @@ static inline uint16_t dspic33_ecan_tx_buffer_word2_rb0_set(uint16_t reg, uint16
 }
 /* DLC: Data length code, the number of data bytes. A remote frame carries it without data. Access rw. May be
  * programmed with 0 to 8. Means value bytes.
- * Register 5-3 p.35; §2.3 p.7
+ * §5.0 Buffer 5-3 p.35; §2.3 p.7
  */
 #define DSPIC33_ECAN_TX_BUFFER_WORD2_DLC_Pos 0U
 #define DSPIC33_ECAN_TX_BUFFER_WORD2_DLC_Msk 0x000FU
@@ -2054,7 +2063,7 @@ static inline uint16_t dspic33_ecan_tx_buffer_word2_dlc_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_TX_BUFFER_WORD2_DLC_Msk) | DSPIC33_ECAN_TX_BUFFER_WORD2_DLC_SET(value));
 }
 /* Word WORD7 of TX_BUFFER: Transferred with the others, but not used for transmission.
- * Register 5-8 p.37
+ * §5.0 Buffer 5-8 p.37
  */
 #define DSPIC33_ECAN_TX_BUFFER_WORD7_OFFSET 0x00EU
 #define DSPIC33_ECAN_TX_BUFFER_PAYLOAD_MAX 8U
@@ -2116,8 +2125,8 @@ static inline void dspic33_ecan_tx_buffer_extended_id_write(dspic33_ecan_tx_buff
  * §9.0 p.50; §10.1.1 p.65
  */
 typedef struct {
-    volatile uint16_t WORD0; /* Standard identifier and format of the received message. The page of Buffer 5-1 is missing from the available copy. */
-    volatile uint16_t WORD1; /* Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the available copy. */
+    volatile uint16_t WORD0; /* Standard identifier and format of the received message. The page of Buffer 5-1 is missing from the cited copy. */
+    volatile uint16_t WORD1; /* Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the cited copy. */
     volatile uint16_t WORD2; /* Low part of an extended identifier, frame type and data length of the received message. */
     volatile uint16_t PAYLOAD[4];
     volatile uint16_t WORD7; /* Filter number. */
@@ -2130,12 +2139,12 @@ DSPIC33_ECAN_STATIC_ASSERT(offsetof(dspic33_ecan_rx_buffer_t, WORD7) == 0x00EU, 
 DSPIC33_ECAN_STATIC_ASSERT(sizeof(dspic33_ecan_rx_buffer_t) == 0x010U, dspic33_ecan_rx_buffer_size);
 #define DSPIC33_ECAN_RX_BUFFER_HEADER_BYTES 6U
 /* Word WORD0 of RX_BUFFER: Standard identifier and format of the received message. The page of Buffer 5-1 is
- * missing from the available copy.
- * Figure 8-1 p.44; Register 5-1 p.34; external: frm_dspic33e (meaning of SRR)
+ * missing from the cited copy.
+ * Figure 8-1 p.44; §5.0 Buffer 5-1 p.34; external: frm_dspic33e (meaning of SRR)
  */
 #define DSPIC33_ECAN_RX_BUFFER_WORD0_OFFSET 0x000U
 /* SID[10:0]: Standard identifier, or the upper 11 bits of an extended identifier. Access rw.
- * Figure 8-1 p.44; Example 8-1 p.45; Example 8-2 p.46; Example 8-3 p.49; Register 5-1 p.34; external:
+ * Figure 8-1 p.44; Example 8-1 p.45; Example 8-2 p.46; Example 8-3 p.49; §5.0 Buffer 5-1 p.34; external:
  * frm_dspic33e (meaning of SRR); external: datasheet_dspic33e (bit positions)
  */
 #define DSPIC33_ECAN_RX_BUFFER_WORD0_SID_Pos 2U
@@ -2188,8 +2197,8 @@ static inline uint16_t dspic33_ecan_rx_buffer_word0_srr_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_RX_BUFFER_WORD0_SRR_Msk) | DSPIC33_ECAN_RX_BUFFER_WORD0_SRR_SET(value));
 }
 /* Word WORD1 of RX_BUFFER: Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of
- * Buffer 5-2 is missing from the available copy.
- * Figure 8-1 p.44; Example 8-2 p.46; Register 5-2 p.34; external: datasheet_dspic33e (bit positions)
+ * Buffer 5-2 is missing from the cited copy.
+ * Figure 8-1 p.44; Example 8-2 p.46; §5.0 Buffer 5-2 p.34; external: datasheet_dspic33e (bit positions)
  */
 #define DSPIC33_ECAN_RX_BUFFER_WORD1_OFFSET 0x002U
 /* EID[17:6]: Bits 17 to 6 of the extended identifier. Access rw. */
@@ -2209,7 +2218,7 @@ static inline uint16_t dspic33_ecan_rx_buffer_word1_eid_set(uint16_t reg, uint16
 }
 /* Word WORD2 of RX_BUFFER: Low part of an extended identifier, frame type and data length of the received
  * message.
- * Register 5-3 p.35
+ * §5.0 Buffer 5-3 p.35
  */
 #define DSPIC33_ECAN_RX_BUFFER_WORD2_OFFSET 0x004U
 /* EID[5:0]: Bits 5 to 0 of the extended identifier. Access rw. */
@@ -2292,11 +2301,11 @@ static inline uint16_t dspic33_ecan_rx_buffer_word2_dlc_set(uint16_t reg, uint16
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_RX_BUFFER_WORD2_DLC_Msk) | DSPIC33_ECAN_RX_BUFFER_WORD2_DLC_SET(value));
 }
 /* Word WORD7 of RX_BUFFER: Filter number.
- * Register 5-8 p.37
+ * §5.0 Buffer 5-8 p.37
  */
 #define DSPIC33_ECAN_RX_BUFFER_WORD7_OFFSET 0x00EU
 /* FILHIT: Number of the filter that caused the message to be stored here, 0 to 15. Written by the module for
- * receive buffers only. Access rw. May be programmed with 0 to 15.
+ * receive buffers only. Access rw.
  */
 #define DSPIC33_ECAN_RX_BUFFER_WORD7_FILHIT_Pos 8U
 #define DSPIC33_ECAN_RX_BUFFER_WORD7_FILHIT_Msk 0x1F00U
@@ -2309,7 +2318,7 @@ static inline uint16_t dspic33_ecan_rx_buffer_word7_filhit_get(uint16_t reg)
 }
 static inline uint16_t dspic33_ecan_rx_buffer_word7_filhit_set(uint16_t reg, uint16_t value)
 {
-    DSPIC33_ECAN_ASSERT(value <= 15U);
+    DSPIC33_ECAN_ASSERT(value <= 31U);
     return (uint16_t)((reg & (uint16_t)~DSPIC33_ECAN_RX_BUFFER_WORD7_FILHIT_Msk) | DSPIC33_ECAN_RX_BUFFER_WORD7_FILHIT_SET(value));
 }
 #define DSPIC33_ECAN_RX_BUFFER_PAYLOAD_MAX 8U

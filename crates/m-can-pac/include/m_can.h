@@ -141,7 +141,7 @@ extern "C" {
 #define M_CAN_DATA_FIELD_SIZE_BYTES_64 7U
 
 /* Identifier length of a frame.
- * §2.4.2 p.47
+ * §2.4.2 p.47; §2.4.3 p.49; §2.4.4 p.51
  */
 /* 11-bit identifier. */
 #define M_CAN_ID_FORMAT_STANDARD 0U
@@ -149,7 +149,7 @@ extern "C" {
 #define M_CAN_ID_FORMAT_EXTENDED 1U
 
 /* Data frame or remote frame.
- * §2.4.2 p.47
+ * §2.4.2 p.47; §2.4.3 p.49; §2.4.4 p.51
  */
 /* Data frame. */
 #define M_CAN_FRAME_KIND_DATA 0U
@@ -157,7 +157,7 @@ extern "C" {
 #define M_CAN_FRAME_KIND_REMOTE 1U
 
 /* Frame format.
- * §2.4.2 p.48
+ * §2.4.2 p.48; §2.4.3 p.50; §2.4.4 p.52
  */
 /* Classical CAN. */
 #define M_CAN_FRAME_FORMAT_CLASSIC 0U
@@ -165,34 +165,40 @@ extern "C" {
 #define M_CAN_FRAME_FORMAT_FD 1U
 
 /* Error state of the node that transmitted a frame.
- * §2.4.2 p.47
+ * §2.4.2 p.47; §2.4.4 p.51
  */
 /* The transmitter was error active. */
 #define M_CAN_ERROR_STATE_ERROR_ACTIVE 0U
 /* The transmitter was error passive. */
 #define M_CAN_ERROR_STATE_ERROR_PASSIVE 1U
 
-/* Number of data bytes of a frame. Codes 0 to 8 are the same in both formats; 9 to 15 mean 8 bytes in Classical
- * CAN and the number in the name in CAN FD.
- * §2.4.2 p.48; Table 54 p.59
+/* Number of data bytes of a frame. Codes 0 to 8 are the same in both formats. Name and number of the codes 9 to
+ * 15 are those of CAN FD; in Classical CAN they all mean 8 bytes.
+ * §2.4.2 p.48; §2.4.3 p.50; §2.4.4 p.52; Table 54 p.59
  */
-/* As many bytes as the code says. */
-#define M_CAN_DATA_LENGTH_CODE_BYTES_FIRST 0U
-#define M_CAN_DATA_LENGTH_CODE_BYTES_LAST 8U
-/* CAN FD: 12 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_12 9U
-/* CAN FD: 16 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_16 10U
-/* CAN FD: 20 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_20 11U
-/* CAN FD: 24 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_24 12U
-/* CAN FD: 32 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_32 13U
-/* CAN FD: 48 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_48 14U
-/* CAN FD: 64 bytes; Classical CAN: 8. */
-#define M_CAN_DATA_LENGTH_CODE_FD_64 15U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_0 0U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_1 1U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_2 2U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_3 3U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_4 4U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_5 5U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_6 6U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_7 7U
+#define M_CAN_DATA_LENGTH_CODE_BYTES_8 8U
+/* 12 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_12 9U
+/* 16 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_16 10U
+/* 20 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_20 11U
+/* 24 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_24 12U
+/* 32 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_32 13U
+/* 48 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_48 14U
+/* 64 bytes in CAN FD, 8 in Classical CAN. */
+#define M_CAN_DATA_LENGTH_CODE_BYTES_64 15U
 
 /* What a match of a filter element does. The first matching enabled element ends the filtering of a message.
  * §2.4.5 p.53; §2.4.6 p.54
@@ -229,7 +235,7 @@ extern "C" {
 #define M_CAN_RX_BUFFER_USE_DEBUG_C 3U
 
 /* How the two IDs of a standard filter element are compared. Ignored when the action is rx_buffer.
- * §2.4.5 p.52
+ * §2.4.5 p.52; §3.4.1.2 p.66; §3.4.1.3 p.66
  */
 /* Identifiers from SFID1 to SFID2, with SFID2 not less than SFID1. */
 #define M_CAN_STANDARD_FILTER_TYPE_RANGE 0U
@@ -241,7 +247,7 @@ extern "C" {
 #define M_CAN_STANDARD_FILTER_TYPE_DISABLED 3U
 
 /* How the two IDs of an extended filter element are compared. Ignored when the action is rx_buffer.
- * §2.4.6 p.54; §3.4.1.1 p.66
+ * §2.4.6 p.54; §3.4.1.1 p.66; §3.4.1.3 p.66; §3.4.1.5 p.68
  */
 /* Received identifier ANDed with XIDAM, from EFID1 to EFID2, with EFID2 not less than EFID1. */
 #define M_CAN_EXTENDED_FILTER_TYPE_RANGE 0U
@@ -327,13 +333,13 @@ extern "C" {
 #define M_CAN_TOCC_TOS_RX_FIFO_1 3U
 
 /* Values of HPMS.FLST.
- * §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
+ * §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78
  */
 #define M_CAN_HPMS_FLST_STANDARD 0U
 #define M_CAN_HPMS_FLST_EXTENDED 1U
 
 /* Values of HPMS.MSI.
- * §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
+ * §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78
  */
 /* No FIFO was selected. */
 #define M_CAN_HPMS_MSI_NONE 0U
@@ -345,7 +351,7 @@ extern "C" {
 #define M_CAN_HPMS_MSI_FIFO_1 3U
 
 /* Values of RXF1S.DMS.
- * §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69
+ * §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57
  */
 /* Waiting for debug messages; the DMA request is cleared. */
 #define M_CAN_RXF1S_DMS_IDLE 0U
@@ -1504,6 +1510,7 @@ static inline uint32_t m_can_ecr_rp_get(uint32_t reg)
 }
 /* REC: Receive error counter, 0 to 127. Frozen while CCCR.ASM is 1. Counts the idle sequences during Bus_Off
  * recovery. Access ro.
+ * §2.3.13 p.16; §2.3.14 p.19; §3.1.5 p.61
  */
 #define M_CAN_ECR_REC_Pos 8U
 #define M_CAN_ECR_REC_Msk UINT32_C(0x00007F00)
@@ -1513,7 +1520,9 @@ static inline uint32_t m_can_ecr_rec_get(uint32_t reg)
 {
     return (uint32_t)((reg & M_CAN_ECR_REC_Msk) >> M_CAN_ECR_REC_Pos);
 }
-/* TEC: Transmit error counter, 0 to 255. Frozen while CCCR.ASM is 1. Access ro. */
+/* TEC: Transmit error counter, 0 to 255. Frozen while CCCR.ASM is 1. Access ro.
+ * §2.3.13 p.16; §3.1.5 p.61
+ */
 #define M_CAN_ECR_TEC_Pos 0U
 #define M_CAN_ECR_TEC_Msk UINT32_C(0x000000FF)
 #define M_CAN_ECR_TEC_Width 8U
@@ -3325,7 +3334,7 @@ static inline void m_can_xidfc_modify(m_can_regs_t *regs, uint32_t clear, uint32
  * Mask over the identifier of received extended frames before filtering, meant for SAE J1939. Filter elements of
  * type range_unmasked are exempt. The message is stored with its unmasked identifier.
  * Contradictions of the manual: bit_tables_missing, overview_page_garbled.
- * §2.3.23 Table 24 p.29; Table 1 p.6 (reset and access); §3.4.1.5 p.68
+ * §2.3.23 Table 24 p.29; Table 1 p.6 (reset and access); §2.4.6 p.54; §3.4.1 p.66; §3.4.1.5 p.68
  */
 #define M_CAN_XIDAM_OFFSET 0x090U
 #define M_CAN_XIDAM_RESET UINT32_C(0x1FFFFFFF)
@@ -3361,7 +3370,7 @@ static inline void m_can_xidam_modify(m_can_regs_t *regs, uint32_t clear, uint32
  * Hazard: Do not acknowledge a message read through BIDX ahead of its turn; that would drop the older elements
  * of the FIFO.
  * Contradictions of the manual: bit_tables_missing, overview_page_garbled.
- * §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
+ * §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78
  */
 #define M_CAN_HPMS_OFFSET 0x094U
 #define M_CAN_HPMS_RESET UINT32_C(0x00000000)
@@ -3409,7 +3418,7 @@ static inline uint32_t m_can_hpms_bidx_get(uint32_t reg)
  * Hazard: Write only the flags of buffers that have been read; a written-back copy releases every buffer that
  * was set.
  * Contradictions of the manual: ndat_legend.
- * §2.3.25 Table 26 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71
+ * §2.3.25 Table 26 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71; §3.4.4.1 p.72
  */
 #define M_CAN_NDAT1_OFFSET 0x098U
 #define M_CAN_NDAT1_RESET UINT32_C(0x00000000)
@@ -3440,7 +3449,7 @@ static inline void m_can_ndat1_clear(m_can_regs_t *regs, uint32_t flags)
  * Hazard: Write only the flags of buffers that have been read; a written-back copy releases every buffer that
  * was set.
  * Contradictions of the manual: ndat_legend.
- * §2.3.26 Table 27 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71
+ * §2.3.26 Table 27 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71; §3.4.4.1 p.72
  */
 #define M_CAN_NDAT2_OFFSET 0x09CU
 #define M_CAN_NDAT2_RESET UINT32_C(0x00000000)
@@ -3471,7 +3480,7 @@ static inline void m_can_ndat2_clear(m_can_regs_t *regs, uint32_t flags)
  * be overwritten meanwhile.
  * A write is dangerous: Received messages are written to the Message RAM at this unchecked address and length.
  * Contradictions of the manual: bit_tables_missing.
- * §2.3.27 Table 28 p.31; Table 1 p.6 (reset and access); §3.4.2 p.69
+ * §2.3.27 Table 28 p.31; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.4.2.2 p.70
  */
 #define M_CAN_RXF0C_OFFSET 0x0A0U
 #define M_CAN_RXF0C_RESET UINT32_C(0x00000000)
@@ -3557,7 +3566,7 @@ static inline void m_can_rxf0c_modify(m_can_regs_t *regs, uint32_t clear, uint32
 /* RXF0S: Rx FIFO 0 Status.
  * Indices and fill level of Rx FIFO 0. Reset when CCCR.CCE is set.
  * Contradictions of the manual: bit_tables_missing.
- * §2.3.28 Table 29 p.32; Table 1 p.6 (reset and access); §3.4.2 p.69
+ * §2.3.28 Table 29 p.32; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57
  */
 #define M_CAN_RXF0S_OFFSET 0x0A4U
 #define M_CAN_RXF0S_RESET UINT32_C(0x00000000)
@@ -3685,7 +3694,7 @@ static inline void m_can_rxbc_modify(m_can_regs_t *regs, uint32_t clear, uint32_
  * be overwritten meanwhile.
  * A write is dangerous: Received messages are written to the Message RAM at this unchecked address and length.
  * Contradictions of the manual: bit_tables_missing.
- * §2.3.31 Table 32 p.34; Table 1 p.6 (reset and access); §3.4.2 p.69
+ * §2.3.31 Table 32 p.34; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.4.2.2 p.70
  */
 #define M_CAN_RXF1C_OFFSET 0x0B0U
 #define M_CAN_RXF1C_RESET UINT32_C(0x00000000)
@@ -3770,7 +3779,7 @@ static inline void m_can_rxf1c_modify(m_can_regs_t *regs, uint32_t clear, uint32
 /* RXF1S: Rx FIFO 1 Status.
  * Indices and fill level of Rx FIFO 1, and the state of debug message reception. Reset when CCCR.CCE is set.
  * Contradictions of the manual: bit_tables_missing.
- * §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69
+ * §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57
  */
 #define M_CAN_RXF1S_OFFSET 0x0B4U
 #define M_CAN_RXF1S_RESET UINT32_C(0x00000000)
@@ -4033,7 +4042,7 @@ static inline void m_can_txbc_modify(m_can_regs_t *regs, uint32_t clear, uint32_
  * Hazard: The status follows TXBRP, which a running Tx scan may not have updated yet after an add or
  * cancellation request.
  * Contradictions of the manual: bit_tables_missing.
- * §2.3.36 Table 37 p.38; Table 1 p.6 (reset and access); §3.5.3 p.75; §3.5.4 p.76
+ * §2.3.36 Table 37 p.38; Table 1 p.6 (reset and access); §3.5.3 p.75; §3.5.4 p.76; §3.1.1 p.57
  */
 #define M_CAN_TXFQS_OFFSET 0x0C4U
 #define M_CAN_TXFQS_RESET UINT32_C(0x00000000)
@@ -4125,7 +4134,7 @@ static inline void m_can_txesc_modify(m_can_regs_t *regs, uint32_t clear, uint32
  * Hazard: Requests set during a Tx scan are not part of that scan; cancelling such a request takes effect at
  * once.
  * Contradictions of the manual: bit_tables_missing, monitoring_and_loop_back, overview_page_turned.
- * §2.3.38 Table 39 p.40; Table 1 p.6 (reset and access)
+ * §2.3.38 Table 39 p.40; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.1.6 p.61
  */
 #define M_CAN_TXBRP_OFFSET 0x0CCU
 #define M_CAN_TXBRP_RESET UINT32_C(0x00000000)
@@ -4152,7 +4161,7 @@ static inline uint32_t m_can_txbrp_trp_get(uint32_t reg, unsigned int lane)
  * Hazard: Messages with equal identifiers in dedicated buffers have to be requested in ascending buffer order or
  * with one write.
  * Contradictions of the manual: overview_page_turned.
- * §2.3.39 Table 40 p.41; Table 1 p.6 (reset and access); §3.1.1 p.57
+ * §2.3.39 Table 40 p.41; Table 1 p.6 (reset and access); §2.3.41 p.42; §3.1.1 p.57; §3.5.2 p.75
  */
 #define M_CAN_TXBAR_OFFSET 0x0D0U
 #define M_CAN_TXBAR_RESET UINT32_C(0x00000000)
@@ -4214,7 +4223,7 @@ static inline void m_can_txbcr_request(m_can_regs_t *regs, uint32_t requests)
 /* TXBTO: Tx Buffer Transmission Occurred.
  * Successful transmissions. Reset when CCCR.CCE is set.
  * Contradictions of the manual: bit_tables_missing, overview_page_turned.
- * §2.3.41 Table 42 p.42; Table 1 p.6 (reset and access)
+ * §2.3.41 Table 42 p.42; Table 1 p.6 (reset and access); §3.1.1 p.57
  */
 #define M_CAN_TXBTO_OFFSET 0x0D8U
 #define M_CAN_TXBTO_RESET UINT32_C(0x00000000)
@@ -4236,7 +4245,7 @@ static inline uint32_t m_can_txbto_to_get(uint32_t reg, unsigned int lane)
 /* TXBCF: Tx Buffer Cancellation Finished.
  * Finished cancellations, and in DAR mode unsuccessful transmissions. Reset when CCCR.CCE is set.
  * Contradictions of the manual: overview_page_turned.
- * §2.3.42 Table 43 p.42; Table 1 p.6 (reset and access); §2.3.38 p.40; §3.1.7.1 p.62
+ * §2.3.42 Table 43 p.42; Table 1 p.6 (reset and access); §2.3.38 p.40; §3.1.7.1 p.62; §3.1.1 p.57
  */
 #define M_CAN_TXBCF_OFFSET 0x0DCU
 #define M_CAN_TXBCF_RESET UINT32_C(0x00000000)
@@ -4405,7 +4414,7 @@ static inline void m_can_txefc_modify(m_can_regs_t *regs, uint32_t clear, uint32
 /* TXEFS: Tx Event FIFO Status.
  * Indices and fill level of the Tx Event FIFO. Reset when CCCR.CCE is set.
  * Contradictions of the manual: bit_tables_missing, overview_page_turned.
- * §2.3.46 Table 47 p.45; Table 1 p.6 (reset and access); §3.5.8 p.78
+ * §2.3.46 Table 47 p.45; Table 1 p.6 (reset and access); §3.5.8 p.78; §3.1.1 p.57
  */
 #define M_CAN_TXEFS_OFFSET 0x0F4U
 #define M_CAN_TXEFS_RESET UINT32_C(0x00000000)
@@ -4751,9 +4760,9 @@ static inline uint32_t m_can_rx_buffer_r1b_dlc_set(uint32_t reg, uint32_t value)
     M_CAN_ASSERT(value <= 15U);
     return (uint32_t)((reg & (uint32_t)~M_CAN_RX_BUFFER_R1B_DLC_Msk) | M_CAN_RX_BUFFER_R1B_DLC_SET(value));
 }
-/* TSC: A timestamp was captured in the TSU, because the matching filter element has SSYNC or ESYNC set; RXTSP is
- * valid. Access rw.
- * §2.4.2 p.47; §2.4.2 p.48
+/* TSC: The TSU captured a timestamp at the end of the frame, because the matching filter element has SSYNC or
+ * ESYNC set; RXTSP is valid. Access rw.
+ * §2.4.2 p.47; §2.4.2 p.48; §3.2.2 p.64
  */
 #define M_CAN_RX_BUFFER_R1B_TSC_Pos 4U
 #define M_CAN_RX_BUFFER_R1B_TSC_Msk UINT32_C(0x00000010)
@@ -4895,7 +4904,7 @@ static inline uint32_t m_can_tx_buffer_t0_rtr_set(uint32_t reg, uint32_t value)
     M_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~M_CAN_TX_BUFFER_T0_RTR_Msk) | M_CAN_TX_BUFFER_T0_RTR_SET(value));
 }
-/* ID: Identifier. A standard identifier has to be written to bits 28:18. Access rw.
+/* ID: Identifier. A standard identifier belongs in bits 28:18. Access rw.
  * §2.4.3 p.50
  */
 #define M_CAN_TX_BUFFER_T0_ID_Pos 0U
@@ -5093,9 +5102,7 @@ M_CAN_STATIC_ASSERT(sizeof(m_can_tx_event_t) == 0x008U, m_can_tx_event_size);
  * §2.4.4 Table 51 p.51
  */
 #define M_CAN_TX_EVENT_E0_OFFSET 0x000U
-/* ESI: Error state indicator of the frame: error state of its transmitter. Access rw.
- * §2.4.2 Table 49 p.47
- */
+/* ESI: Error state indicator of the frame: error state of the node that sent it, which is this one. Access rw. */
 #define M_CAN_TX_EVENT_E0_ESI_Pos 31U
 #define M_CAN_TX_EVENT_E0_ESI_Msk UINT32_C(0x80000000)
 #define M_CAN_TX_EVENT_E0_ESI_Width 1U
@@ -5110,9 +5117,7 @@ static inline uint32_t m_can_tx_event_e0_esi_set(uint32_t reg, uint32_t value)
     M_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~M_CAN_TX_EVENT_E0_ESI_Msk) | M_CAN_TX_EVENT_E0_ESI_SET(value));
 }
-/* XTD: Length of the identifier. Access rw.
- * §2.4.2 Table 49 p.47
- */
+/* XTD: Length of the identifier. Access rw. */
 #define M_CAN_TX_EVENT_E0_XTD_Pos 30U
 #define M_CAN_TX_EVENT_E0_XTD_Msk UINT32_C(0x40000000)
 #define M_CAN_TX_EVENT_E0_XTD_Width 1U
@@ -5352,9 +5357,9 @@ static inline uint32_t m_can_tx_event_e1b_mm_high_set(uint32_t reg, uint32_t val
     M_CAN_ASSERT(value <= 255U);
     return (uint32_t)((reg & (uint32_t)~M_CAN_TX_EVENT_E1B_MM_HIGH_Msk) | M_CAN_TX_EVENT_E1B_MM_HIGH_SET(value));
 }
-/* TSC: A timestamp was captured in the TSU, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid.
- * Access rw.
- * §2.4.4 p.51; §2.4.4 p.52
+/* TSC: The TSU captured a timestamp at the end of the frame, because CCCR.UTSU and TSCE of the Tx Buffer are
+ * set; TXTSP is valid. Always 0 without the TSU (CCCR.UTSU = 0). Access rw.
+ * §2.4.4 p.51; §2.4.4 p.52; §3.2.2 p.64
  */
 #define M_CAN_TX_EVENT_E1B_TSC_Pos 4U
 #define M_CAN_TX_EVENT_E1B_TSC_Msk UINT32_C(0x00000010)
@@ -5404,12 +5409,14 @@ static inline void m_can_tx_event_message_marker_write(m_can_tx_event_t *element
  * §2.4.5 Table 52 p.52
  */
 typedef struct {
-    volatile uint32_t S0; /* Filter that stores in a FIFO, rejects or sets priority. */
+    volatile uint32_t S0_S0_RX_BUFFER; /* Filter that stores in a FIFO, rejects or sets priority, or an element that is skipped. */
 } m_can_standard_filter_t;
-M_CAN_STATIC_ASSERT(offsetof(m_can_standard_filter_t, S0) == 0x000U, m_can_standard_filter_at_S0);
+M_CAN_STATIC_ASSERT(offsetof(m_can_standard_filter_t, S0_S0_RX_BUFFER) == 0x000U, m_can_standard_filter_at_S0_S0_RX_BUFFER);
 M_CAN_STATIC_ASSERT(sizeof(m_can_standard_filter_t) == 0x004U, m_can_standard_filter_size);
 #define M_CAN_STANDARD_FILTER_HEADER_BYTES 4U
-/* Word S0 of STANDARD_FILTER: Filter that stores in a FIFO, rejects or sets priority.
+/* Word S0 of STANDARD_FILTER: Filter that stores in a FIFO, rejects or sets priority, or an element that is
+ * skipped.
+ * Has this layout only if S0.SFEC != rx_buffer.
  * §2.4.5 p.52; §2.4.5 p.53
  */
 #define M_CAN_STANDARD_FILTER_S0_OFFSET 0x000U
@@ -5490,131 +5497,121 @@ static inline uint32_t m_can_standard_filter_s0_sfid2_set(uint32_t reg, uint32_t
     M_CAN_ASSERT(value <= 2047U);
     return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_SFID2_Msk) | M_CAN_STANDARD_FILTER_S0_SFID2_SET(value));
 }
-
-/* STANDARD_BUFFER_FILTER: Standard Message ID Filter Element for Rx Buffers and debug messages.
- * Filter for frames with 11-bit identifiers whose action SFEC is rx_buffer, which gives the second ID another
- * meaning.
- * §2.4.5 Table 52 p.52; §2.4.5 p.53
+/* Word S0_RX_BUFFER of STANDARD_FILTER: The same word with the action rx_buffer, which gives the second ID
+ * another meaning: the message goes to a dedicated Rx Buffer or is a debug message. The received identifier has
+ * to equal SFID1.
+ * Has this layout only if S0.SFEC == rx_buffer.
+ * §2.4.5 p.52; §2.4.5 p.53
  */
-typedef struct {
-    volatile uint32_t S0; /* Filter that stores in a dedicated Rx Buffer or as debug message. The received identifier has to equal SFID1. */
-} m_can_standard_buffer_filter_t;
-M_CAN_STATIC_ASSERT(offsetof(m_can_standard_buffer_filter_t, S0) == 0x000U, m_can_standard_buffer_filter_at_S0);
-M_CAN_STATIC_ASSERT(sizeof(m_can_standard_buffer_filter_t) == 0x004U, m_can_standard_buffer_filter_size);
-#define M_CAN_STANDARD_BUFFER_FILTER_HEADER_BYTES 4U
-/* Word S0 of STANDARD_BUFFER_FILTER: Filter that stores in a dedicated Rx Buffer or as debug message. The
- * received identifier has to equal SFID1.
- * §2.4.5 p.53
- */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_OFFSET 0x000U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_OFFSET 0x000U
 /* SFT: Ignored in this layout. Access rw. */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Pos 30U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Msk UINT32_C(0xC0000000)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Width 2U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_sft_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Pos 30U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Msk UINT32_C(0xC0000000)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Width 2U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_sft_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_sft_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_sft_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 3U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_SFT_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFT_SET(value));
 }
 /* SFEC: What a match does: rx_buffer in this layout. Access rw. */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Pos 27U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Msk UINT32_C(0x38000000)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Width 3U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_sfec_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Pos 27U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Msk UINT32_C(0x38000000)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Width 3U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_sfec_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_sfec_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_sfec_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 7U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_SFEC_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFEC_SET(value));
 }
 /* SFID1: The identifier, compared without a mask. Access rw. */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Pos 16U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Msk UINT32_C(0x07FF0000)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Width 11U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_sfid1_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Pos 16U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Msk UINT32_C(0x07FF0000)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Width 11U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_sfid1_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_sfid1_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_sfid1_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 2047U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_SFID1_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SFID1_SET(value));
 }
 /* SSYNC: Has the TSU capture a timestamp of a matching message (pulse at m_can_tsrx), whether the message is
  * stored or not. Only with CCCR.UTSU set. Access rw.
  */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Pos 15U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Msk UINT32_C(0x00008000)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Width 1U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_ssync_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Pos 15U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Msk UINT32_C(0x00008000)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Width 1U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_ssync_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_ssync_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_ssync_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 1U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_SSYNC_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_SSYNC_SET(value));
 }
 /* SFID2[10:9]: Rx Buffer or debug message A, B or C. Access rw. */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Pos 9U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Msk UINT32_C(0x00000600)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Width 2U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_destination_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Pos 9U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Msk UINT32_C(0x00000600)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Width 2U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_destination_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_destination_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_destination_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 3U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_DESTINATION_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_DESTINATION_SET(value));
 }
 /* SFID2[8:6]: A 1 makes a match pulse the filter event pin of that bit (m_can_fe[2:0]) for one Host clock
  * period. Access rw.
  */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Pos 6U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Msk UINT32_C(0x000001C0)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Width 3U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_event_pins_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Pos 6U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Msk UINT32_C(0x000001C0)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Width 3U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_event_pins_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_event_pins_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_event_pins_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 7U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_EVENT_PINS_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_EVENT_PINS_SET(value));
 }
 /* SFID2[5:0]: Number of the Rx Buffer, counted from RXBC.RBSA, that takes the message. Access rw. */
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Pos 0U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Msk UINT32_C(0x0000003F)
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Width 6U
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Access "rw"
-#define M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Pos) & M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Msk))
-static inline uint32_t m_can_standard_buffer_filter_s0_buffer_get(uint32_t reg)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Pos 0U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Msk UINT32_C(0x0000003F)
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Width 6U
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Access "rw"
+#define M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Pos) & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Msk))
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_buffer_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Msk) >> M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Pos);
+    return (uint32_t)((reg & M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Msk) >> M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Pos);
 }
-static inline uint32_t m_can_standard_buffer_filter_s0_buffer_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_standard_filter_s0_rx_buffer_buffer_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 63U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_Msk) | M_CAN_STANDARD_BUFFER_FILTER_S0_BUFFER_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_Msk) | M_CAN_STANDARD_FILTER_S0_RX_BUFFER_BUFFER_SET(value));
 }
 
 /* EXTENDED_FILTER: Extended Message ID Filter Element.
@@ -5624,10 +5621,10 @@ static inline uint32_t m_can_standard_buffer_filter_s0_buffer_set(uint32_t reg, 
  */
 typedef struct {
     volatile uint32_t F0; /* Action and first identifier. */
-    volatile uint32_t F1; /* Type and second identifier of a filter that stores in a FIFO, rejects or sets priority. */
+    volatile uint32_t F1_F1_RX_BUFFER; /* Type and second identifier of a filter that stores in a FIFO, rejects or sets priority, or of an element that is skipped. */
 } m_can_extended_filter_t;
 M_CAN_STATIC_ASSERT(offsetof(m_can_extended_filter_t, F0) == 0x000U, m_can_extended_filter_at_F0);
-M_CAN_STATIC_ASSERT(offsetof(m_can_extended_filter_t, F1) == 0x004U, m_can_extended_filter_at_F1);
+M_CAN_STATIC_ASSERT(offsetof(m_can_extended_filter_t, F1_F1_RX_BUFFER) == 0x004U, m_can_extended_filter_at_F1_F1_RX_BUFFER);
 M_CAN_STATIC_ASSERT(sizeof(m_can_extended_filter_t) == 0x008U, m_can_extended_filter_size);
 #define M_CAN_EXTENDED_FILTER_HEADER_BYTES 8U
 /* Word F0 of EXTENDED_FILTER: Action and first identifier.
@@ -5667,7 +5664,8 @@ static inline uint32_t m_can_extended_filter_f0_efid1_set(uint32_t reg, uint32_t
     return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F0_EFID1_Msk) | M_CAN_EXTENDED_FILTER_F0_EFID1_SET(value));
 }
 /* Word F1 of EXTENDED_FILTER: Type and second identifier of a filter that stores in a FIFO, rejects or sets
- * priority.
+ * priority, or of an element that is skipped.
+ * Has this layout only if F0.EFEC != rx_buffer.
  * §2.4.6 p.54; §2.4.6 p.55
  */
 #define M_CAN_EXTENDED_FILTER_F1_OFFSET 0x004U
@@ -5718,139 +5716,90 @@ static inline uint32_t m_can_extended_filter_f1_efid2_set(uint32_t reg, uint32_t
     M_CAN_ASSERT(value <= UINT32_C(536870911));
     return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F1_EFID2_Msk) | M_CAN_EXTENDED_FILTER_F1_EFID2_SET(value));
 }
-
-/* EXTENDED_BUFFER_FILTER: Extended Message ID Filter Element for Rx Buffers and debug messages.
- * Filter for frames with 29-bit identifiers whose action EFEC is rx_buffer, which gives the second ID another
- * meaning.
- * §2.4.6 Table 53 p.54; §2.4.6 p.55
+/* Word F1_RX_BUFFER of EXTENDED_FILTER: The same word with the action rx_buffer, in which the second ID tells
+ * where the message goes.
+ * Has this layout only if F0.EFEC == rx_buffer.
+ * §2.4.6 p.54; §2.4.6 p.55
  */
-typedef struct {
-    volatile uint32_t F0; /* Action and first identifier. */
-    volatile uint32_t F1; /* Destination of a filter that stores in a dedicated Rx Buffer or as debug message. */
-} m_can_extended_buffer_filter_t;
-M_CAN_STATIC_ASSERT(offsetof(m_can_extended_buffer_filter_t, F0) == 0x000U, m_can_extended_buffer_filter_at_F0);
-M_CAN_STATIC_ASSERT(offsetof(m_can_extended_buffer_filter_t, F1) == 0x004U, m_can_extended_buffer_filter_at_F1);
-M_CAN_STATIC_ASSERT(sizeof(m_can_extended_buffer_filter_t) == 0x008U, m_can_extended_buffer_filter_size);
-#define M_CAN_EXTENDED_BUFFER_FILTER_HEADER_BYTES 8U
-/* Word F0 of EXTENDED_BUFFER_FILTER: Action and first identifier.
- * §2.4.6 Table 53 p.54
- */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_OFFSET 0x000U
-/* EFEC: What a match does. Access rw. */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Pos 29U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Msk UINT32_C(0xE0000000)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Width 3U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f0_efec_get(uint32_t reg)
-{
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Pos);
-}
-static inline uint32_t m_can_extended_buffer_filter_f0_efec_set(uint32_t reg, uint32_t value)
-{
-    M_CAN_ASSERT(value <= 7U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F0_EFEC_SET(value));
-}
-/* EFID1: First identifier of the element. For Rx Buffers and debug messages the received identifier, ANDed with
- * XIDAM, has to equal it. Access rw.
- */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Pos 0U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Msk UINT32_C(0x1FFFFFFF)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Width 29U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f0_efid1_get(uint32_t reg)
-{
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Pos);
-}
-static inline uint32_t m_can_extended_buffer_filter_f0_efid1_set(uint32_t reg, uint32_t value)
-{
-    M_CAN_ASSERT(value <= UINT32_C(536870911));
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F0_EFID1_SET(value));
-}
-/* Word F1 of EXTENDED_BUFFER_FILTER: Destination of a filter that stores in a dedicated Rx Buffer or as debug
- * message.
- * §2.4.6 p.55
- */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_OFFSET 0x004U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_OFFSET 0x004U
 /* EFT: Ignored in this layout. Access rw. */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Pos 30U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Msk UINT32_C(0xC0000000)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Width 2U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f1_eft_get(uint32_t reg)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Pos 30U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Msk UINT32_C(0xC0000000)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Width 2U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Access "rw"
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Pos) & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Msk))
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_eft_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Pos);
+    return (uint32_t)((reg & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Msk) >> M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Pos);
 }
-static inline uint32_t m_can_extended_buffer_filter_f1_eft_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_eft_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 3U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F1_EFT_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_Msk) | M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EFT_SET(value));
 }
 /* ESYNC: Has the TSU capture a timestamp of a matching message (pulse at m_can_tsrx), whether the message is
  * stored or not. Only with CCCR.UTSU set. Access rw.
  */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Pos 29U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Msk UINT32_C(0x20000000)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Width 1U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f1_esync_get(uint32_t reg)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Pos 29U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Msk UINT32_C(0x20000000)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Width 1U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Access "rw"
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Pos) & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Msk))
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_esync_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Pos);
+    return (uint32_t)((reg & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Msk) >> M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Pos);
 }
-static inline uint32_t m_can_extended_buffer_filter_f1_esync_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_esync_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 1U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F1_ESYNC_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_Msk) | M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_ESYNC_SET(value));
 }
 /* EFID2[10:9]: Rx Buffer or debug message A, B or C. Access rw. */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Pos 9U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Msk UINT32_C(0x00000600)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Width 2U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f1_destination_get(uint32_t reg)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Pos 9U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Msk UINT32_C(0x00000600)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Width 2U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Access "rw"
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Pos) & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Msk))
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_destination_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Pos);
+    return (uint32_t)((reg & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Msk) >> M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Pos);
 }
-static inline uint32_t m_can_extended_buffer_filter_f1_destination_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_destination_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 3U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F1_DESTINATION_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_Msk) | M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_DESTINATION_SET(value));
 }
 /* EFID2[8:6]: A 1 makes a match pulse the filter event pin of that bit (m_can_fe[2:0]) for one Host clock
  * period. Access rw.
  */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Pos 6U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Msk UINT32_C(0x000001C0)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Width 3U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f1_event_pins_get(uint32_t reg)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Pos 6U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Msk UINT32_C(0x000001C0)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Width 3U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Access "rw"
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Pos) & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Msk))
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_event_pins_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Pos);
+    return (uint32_t)((reg & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Msk) >> M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Pos);
 }
-static inline uint32_t m_can_extended_buffer_filter_f1_event_pins_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_event_pins_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 7U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F1_EVENT_PINS_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_Msk) | M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_EVENT_PINS_SET(value));
 }
 /* EFID2[5:0]: Number of the Rx Buffer, counted from RXBC.RBSA, that takes the message. Access rw. */
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Pos 0U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Msk UINT32_C(0x0000003F)
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Width 6U
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Access "rw"
-#define M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Pos) & M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Msk))
-static inline uint32_t m_can_extended_buffer_filter_f1_buffer_get(uint32_t reg)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Pos 0U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Msk UINT32_C(0x0000003F)
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Width 6U
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Access "rw"
+#define M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_SET(value) ((uint32_t)(((uint32_t)(value) << M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Pos) & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Msk))
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_buffer_get(uint32_t reg)
 {
-    return (uint32_t)((reg & M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Msk) >> M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Pos);
+    return (uint32_t)((reg & M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Msk) >> M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Pos);
 }
-static inline uint32_t m_can_extended_buffer_filter_f1_buffer_set(uint32_t reg, uint32_t value)
+static inline uint32_t m_can_extended_filter_f1_rx_buffer_buffer_set(uint32_t reg, uint32_t value)
 {
     M_CAN_ASSERT(value <= 63U);
-    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_Msk) | M_CAN_EXTENDED_BUFFER_FILTER_F1_BUFFER_SET(value));
+    return (uint32_t)((reg & (uint32_t)~M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_Msk) | M_CAN_EXTENDED_FILTER_F1_RX_BUFFER_BUFFER_SET(value));
 }
 
 #ifdef __cplusplus

@@ -112,12 +112,17 @@ extern "C" {
 /* Data length code of a message.
  * Figure 34-12 p.63
  */
-/* n data bytes. */
-#define PIC32_CAN_DATA_LENGTH_BYTES_FIRST 0U
-#define PIC32_CAN_DATA_LENGTH_BYTES_LAST 7U
+#define PIC32_CAN_DATA_LENGTH_BYTES_0 0U
+#define PIC32_CAN_DATA_LENGTH_BYTES_1 1U
+#define PIC32_CAN_DATA_LENGTH_BYTES_2 2U
+#define PIC32_CAN_DATA_LENGTH_BYTES_3 3U
+#define PIC32_CAN_DATA_LENGTH_BYTES_4 4U
+#define PIC32_CAN_DATA_LENGTH_BYTES_5 5U
+#define PIC32_CAN_DATA_LENGTH_BYTES_6 6U
+#define PIC32_CAN_DATA_LENGTH_BYTES_7 7U
 /* Eight data bytes whatever the three lower bits. */
-#define PIC32_CAN_DATA_LENGTH_EIGHT_BYTES_FIRST 8U
-#define PIC32_CAN_DATA_LENGTH_EIGHT_BYTES_LAST 15U
+#define PIC32_CAN_DATA_LENGTH_BYTES_8_FIRST 8U
+#define PIC32_CAN_DATA_LENGTH_BYTES_8_LAST 15U
 
 /* Values of CON.DNCNT.
  * Register 34-1 p.14; Table 34-1 p.11 (offset)
@@ -152,7 +157,7 @@ extern "C" {
 #define PIC32_CAN_VEC_FILHIT_FILTER_LAST 31U
 
 /* Values of RXM.MIDE.
- * Register 34-9 p.26; §34.8.3; Table 34-1 p.11 (offset)
+ * Register 34-9 p.26; §34.8.3 p.75; Table 34-1 p.11 (offset)
  */
 /* Standard messages match on SID, extended ones on SID and EID, whatever EXID says. */
 #define PIC32_CAN_RXM_MIDE_ANY_TYPE 0U
@@ -205,7 +210,7 @@ extern "C" {
 #define PIC32_CAN_FIFO_CON_TXPRI_HIGH_INTERMEDIATE 2U
 #define PIC32_CAN_FIFO_CON_TXPRI_HIGHEST 3U
 
-/* Table 34-5; §34.9 p.80; Example 34-13 */
+/* Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83 */
 /* Filter n. */
 #define PIC32_CAN_RX_BUFFER_CMSGSID_FILHIT_FILTER_FIRST 0U
 #define PIC32_CAN_RX_BUFFER_CMSGSID_FILHIT_FILTER_LAST 31U
@@ -433,6 +438,7 @@ static inline uint32_t pic32_can_con_reqop_set(uint32_t reg, uint32_t value)
 }
 /* OPMOD: Operating mode the module is in. Access ro.
  * Contradictions of the manual: decimal_mode_code.
+ * Register 34-1 p.15
  */
 #define PIC32_CAN_CON_OPMOD_Pos 21U
 #define PIC32_CAN_CON_OPMOD_Msk UINT32_C(0x00E00000)
@@ -445,6 +451,7 @@ static inline uint32_t pic32_can_con_opmod_get(uint32_t reg)
 /* CANCAP: 1 runs the time stamp timer and stores its value with every valid received message; 0 stops the timer
  * to save power and captures nothing. Access rw.
  * Contradictions of the manual: cantmr_name.
+ * Register 34-1 p.15
  */
 #define PIC32_CAN_CON_CANCAP_Pos 20U
 #define PIC32_CAN_CON_CANCAP_Msk UINT32_C(0x00100000)
@@ -463,6 +470,7 @@ static inline uint32_t pic32_can_con_cancap_set(uint32_t reg, uint32_t value)
 /* ON: 1 enables the module and claims the pins CiTX and CiRX. 0 holds the whole module in reset, with only its
  * registers accessible, and releases the pins; this can take a number of cycles, which CANBUSY shows. Access rw.
  * Contradictions of the manual: on_missing_in_steps.
+ * Register 34-1 p.15; §34.4 p.52
  */
 #define PIC32_CAN_CON_ON_Pos 15U
 #define PIC32_CAN_CON_ON_Msk UINT32_C(0x00008000)
@@ -478,7 +486,9 @@ static inline uint32_t pic32_can_con_on_set(uint32_t reg, uint32_t value)
     PIC32_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_CON_ON_Msk) | PIC32_CAN_CON_ON_SET(value));
 }
-/* SIDLE: 1 stops the module while the device is in Idle mode, 0 lets it run on. Access rw. */
+/* SIDLE: 1 stops the module while the device is in Idle mode, 0 lets it run on. Access rw.
+ * Register 34-1 p.15; §34.14.2 p.98
+ */
 #define PIC32_CAN_CON_SIDLE_Pos 13U
 #define PIC32_CAN_CON_SIDLE_Msk UINT32_C(0x00002000)
 #define PIC32_CAN_CON_SIDLE_Width 1U
@@ -496,6 +506,7 @@ static inline uint32_t pic32_can_con_sidle_set(uint32_t reg, uint32_t value)
 /* CANBUSY: 1 while the module is active, 0 when it is completely disabled. Poll it after clearing ON and after a
  * system error. Access ro.
  * Contradictions of the manual: canbusy_name.
+ * Register 34-1 p.15; §34.4 p.52; §34.12.1.4 p.95
  */
 #define PIC32_CAN_CON_CANBUSY_Pos 11U
 #define PIC32_CAN_CON_CANBUSY_Msk UINT32_C(0x00000800)
@@ -508,7 +519,7 @@ static inline uint32_t pic32_can_con_canbusy_get(uint32_t reg)
 /* DNCNT: DeviceNet filtering: number of leading data bits of a standard message that must match the EID bits of
  * the filter in addition to the SID. A message with less data is compared over the bits it has. Access rw.
  * Contradictions of the manual: dncnt_above_18, devicenet_bit_order.
- * Register 34-1 p.15; §34.8.7; Table 34-4 p.79
+ * Register 34-1 p.15; §34.8.7 p.78; Table 34-4 p.79
  */
 #define PIC32_CAN_CON_DNCNT_Pos 0U
 #define PIC32_CAN_CON_DNCNT_Msk UINT32_C(0x0000001F)
@@ -560,7 +571,7 @@ static inline void pic32_can_con_inv(pic32_can_regs_t *regs, uint32_t bits)
 /* WAKFIL: 1 puts the low-pass filter on CiRX in front of wake-up detection in Disable, Sleep and Idle mode, 0
  * leaves it out. Access rw:configuration. A write has an effect only if configuration (CON.OPMOD ==
  * configuration).
- * Register 34-2 p.16; §34.14.3
+ * Register 34-2 p.16; §34.14.3 p.98
  */
 #define PIC32_CAN_CFG_WAKFIL_Pos 22U
 #define PIC32_CAN_CFG_WAKFIL_Msk UINT32_C(0x00400000)
@@ -597,6 +608,7 @@ static inline uint32_t pic32_can_cfg_seg2ph_set(uint32_t reg, uint32_t value)
 }
 /* SEG2PHTS: How the length of phase buffer segment 2 is determined. Access rw:configuration. A write has an
  * effect only if configuration (CON.OPMOD == configuration).
+ * Register 34-2 p.17
  */
 #define PIC32_CAN_CFG_SEG2PHTS_Pos 15U
 #define PIC32_CAN_CFG_SEG2PHTS_Msk UINT32_C(0x00008000)
@@ -614,6 +626,7 @@ static inline uint32_t pic32_can_cfg_seg2phts_set(uint32_t reg, uint32_t value)
 }
 /* SAM: Number of samples at the sample point. Access rw:configuration. A write has an effect only if
  * configuration (CON.OPMOD == configuration).
+ * Register 34-2 p.17
  */
 #define PIC32_CAN_CFG_SAM_Pos 14U
 #define PIC32_CAN_CFG_SAM_Msk UINT32_C(0x00004000)
@@ -632,6 +645,7 @@ static inline uint32_t pic32_can_cfg_sam_set(uint32_t reg, uint32_t value)
 /* SEG1PH: Phase buffer segment 1, 1 to 8 time quanta. Access rw:configuration. A write has an effect only if
  * configuration (CON.OPMOD == configuration). Means value + 1 tq.
  * Contradictions of the manual: segment2_limit.
+ * Register 34-2 p.17
  */
 #define PIC32_CAN_CFG_SEG1PH_Pos 11U
 #define PIC32_CAN_CFG_SEG1PH_Msk UINT32_C(0x00003800)
@@ -650,6 +664,7 @@ static inline uint32_t pic32_can_cfg_seg1ph_set(uint32_t reg, uint32_t value)
 /* PRSEG: Propagation segment, 1 to 8 time quanta. Access rw:configuration. A write has an effect only if
  * configuration (CON.OPMOD == configuration). Means value + 1 tq.
  * Contradictions of the manual: segment2_limit.
+ * Register 34-2 p.17
  */
 #define PIC32_CAN_CFG_PRSEG_Pos 8U
 #define PIC32_CAN_CFG_PRSEG_Msk UINT32_C(0x00000700)
@@ -669,6 +684,7 @@ static inline uint32_t pic32_can_cfg_prseg_set(uint32_t reg, uint32_t value)
  * rw:configuration. A write has an effect only if configuration (CON.OPMOD == configuration). Means value + 1
  * tq.
  * Contradictions of the manual: jump_width_limit, sjw_of_two_quanta.
+ * Register 34-2 p.17
  */
 #define PIC32_CAN_CFG_SJW_Pos 6U
 #define PIC32_CAN_CFG_SJW_Msk UINT32_C(0x000000C0)
@@ -685,8 +701,10 @@ static inline uint32_t pic32_can_cfg_sjw_set(uint32_t reg, uint32_t value)
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_CFG_SJW_Msk) | PIC32_CAN_CFG_SJW_SET(value));
 }
 /* BRP: Baud rate prescaler. A time quantum lasts 2 * (BRP + 1) periods of the system clock FSYS. Access
- * rw:configuration. A write has an effect only if configuration (CON.OPMOD == configuration). Means value + 1.
+ * rw:configuration. A write has an effect only if configuration (CON.OPMOD == configuration). Means value + 1
+ * FSYS / 2 periods.
  * Contradictions of the manual: cantspre_brp_cfg_names, clock_of_time_quantum, time_quantum_frequency.
+ * Register 34-2 p.17
  */
 #define PIC32_CAN_CFG_BRP_Pos 0U
 #define PIC32_CAN_CFG_BRP_Msk UINT32_C(0x0000003F)
@@ -738,7 +756,9 @@ static inline void pic32_can_cfg_inv(pic32_can_regs_t *regs, uint32_t bits)
 #define PIC32_CAN_INT_OFFSET 0x020U
 #define PIC32_CAN_INT_RESET UINT32_C(0x00000000)
 #define PIC32_CAN_INT_RESET_MASK UINT32_C(0xFFFFFFFF)
-/* IVRIE: Enables the invalid message interrupt. Access rw. */
+/* IVRIE: Enables the invalid message interrupt. Access rw.
+ * Contradictions of the manual: invalid_message_direction.
+ */
 #define PIC32_CAN_INT_IVRIE_Pos 31U
 #define PIC32_CAN_INT_IVRIE_Msk UINT32_C(0x80000000)
 #define PIC32_CAN_INT_IVRIE_Width 1U
@@ -813,7 +833,9 @@ static inline uint32_t pic32_can_int_rbovie_set(uint32_t reg, uint32_t value)
     PIC32_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_INT_RBOVIE_Msk) | PIC32_CAN_INT_RBOVIE_SET(value));
 }
-/* MODIE: Enables the mode change interrupt. Access rw. */
+/* MODIE: Enables the mode change interrupt. Access rw.
+ * Register 34-3 p.19
+ */
 #define PIC32_CAN_INT_MODIE_Pos 19U
 #define PIC32_CAN_INT_MODIE_Msk UINT32_C(0x00080000)
 #define PIC32_CAN_INT_MODIE_Width 1U
@@ -828,7 +850,9 @@ static inline uint32_t pic32_can_int_modie_set(uint32_t reg, uint32_t value)
     PIC32_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_INT_MODIE_Msk) | PIC32_CAN_INT_MODIE_SET(value));
 }
-/* CTMRIE: Enables the time stamp timer interrupt. Access rw. */
+/* CTMRIE: Enables the time stamp timer interrupt. Access rw.
+ * Register 34-3 p.19
+ */
 #define PIC32_CAN_INT_CTMRIE_Pos 18U
 #define PIC32_CAN_INT_CTMRIE_Msk UINT32_C(0x00040000)
 #define PIC32_CAN_INT_CTMRIE_Width 1U
@@ -843,7 +867,9 @@ static inline uint32_t pic32_can_int_ctmrie_set(uint32_t reg, uint32_t value)
     PIC32_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_INT_CTMRIE_Msk) | PIC32_CAN_INT_CTMRIE_SET(value));
 }
-/* RBIE: Enables the interrupt of the receive FIFOs. Access rw. */
+/* RBIE: Enables the interrupt of the receive FIFOs. Access rw.
+ * Register 34-3 p.19
+ */
 #define PIC32_CAN_INT_RBIE_Pos 17U
 #define PIC32_CAN_INT_RBIE_Msk UINT32_C(0x00020000)
 #define PIC32_CAN_INT_RBIE_Width 1U
@@ -858,7 +884,9 @@ static inline uint32_t pic32_can_int_rbie_set(uint32_t reg, uint32_t value)
     PIC32_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_INT_RBIE_Msk) | PIC32_CAN_INT_RBIE_SET(value));
 }
-/* TBIE: Enables the interrupt of the transmit FIFOs. Access rw. */
+/* TBIE: Enables the interrupt of the transmit FIFOs. Access rw.
+ * Register 34-3 p.19
+ */
 #define PIC32_CAN_INT_TBIE_Pos 16U
 #define PIC32_CAN_INT_TBIE_Msk UINT32_C(0x00010000)
 #define PIC32_CAN_INT_TBIE_Width 1U
@@ -875,7 +903,8 @@ static inline uint32_t pic32_can_int_tbie_set(uint32_t reg, uint32_t value)
 }
 /* IVRIF: An error occurred in the last message sent or received; which one is not recorded. Access w0c. A flag:
  * writing 0 clears it, writing 1 does nothing.
- * Register 34-3 p.19; §34.12.1.1
+ * Contradictions of the manual: invalid_message_direction.
+ * Register 34-3 p.19; §34.12.1.1 p.95
  */
 #define PIC32_CAN_INT_IVRIF_Pos 15U
 #define PIC32_CAN_INT_IVRIF_Msk UINT32_C(0x00008000)
@@ -887,7 +916,7 @@ static inline uint32_t pic32_can_int_ivrif_get(uint32_t reg)
 }
 /* WAKIF: Bus activity was detected while the module was sleeping. Access w0c. A flag: writing 0 clears it,
  * writing 1 does nothing.
- * Register 34-3 p.19; §34.12.1.2; §34.14.3
+ * Register 34-3 p.19; §34.12.1.2 p.95; §34.14.3 p.98
  */
 #define PIC32_CAN_INT_WAKIF_Pos 14U
 #define PIC32_CAN_INT_WAKIF_Msk UINT32_C(0x00004000)
@@ -900,7 +929,8 @@ static inline uint32_t pic32_can_int_wakif_get(uint32_t reg)
 /* CERRIF: An error counter crossed a threshold of CiTREC (warning, passive, bus off). Set once for each
  * crossing; after clearing it stays 0 while the counter stays above the threshold. Access w0c. A flag: writing 0
  * clears it, writing 1 does nothing.
- * Register 34-3 p.19; §34.12.1.3
+ * Contradictions of the manual: bus_error_flag.
+ * Register 34-3 p.19; §34.12.1.3 p.95
  */
 #define PIC32_CAN_INT_CERRIF_Pos 13U
 #define PIC32_CAN_INT_CERRIF_Msk UINT32_C(0x00002000)
@@ -913,7 +943,7 @@ static inline uint32_t pic32_can_int_cerrif_get(uint32_t reg)
 /* SERRIF: Fatal addressing or bus bandwidth error on the system bus; the module stops. Wait for CANBUSY = 0 and
  * clear ON: nothing else clears the flag. ICOD tells the two errors apart. Access ro.
  * Contradictions of the manual: serrif_clearing.
- * Register 34-3 p.19; §34.12.1.4
+ * Register 34-3 p.19; §34.12.1.4 p.95
  */
 #define PIC32_CAN_INT_SERRIF_Pos 12U
 #define PIC32_CAN_INT_SERRIF_Msk UINT32_C(0x00001000)
@@ -925,7 +955,7 @@ static inline uint32_t pic32_can_int_serrif_get(uint32_t reg)
 }
 /* RBOVIF: At least one bit of CiRXOVF is set. Cleared by clearing RXOVFLIF of the FIFOs concerned. Access ro.
  * Contradictions of the manual: layer3_names, derived_flags_drawn_writable.
- * Register 34-3 p.19; §34.12.1.7
+ * Register 34-3 p.19; §34.12.1.7 p.96
  */
 #define PIC32_CAN_INT_RBOVIF_Pos 11U
 #define PIC32_CAN_INT_RBOVIF_Msk UINT32_C(0x00000800)
@@ -936,7 +966,7 @@ static inline uint32_t pic32_can_int_rbovif_get(uint32_t reg)
     return (uint32_t)((reg & PIC32_CAN_INT_RBOVIF_Msk) >> PIC32_CAN_INT_RBOVIF_Pos);
 }
 /* MODIF: OPMOD changed. Access w0c. A flag: writing 0 clears it, writing 1 does nothing.
- * Register 34-3 p.19; §34.12.1.8
+ * Register 34-3 p.19; §34.12.1.8 p.96
  */
 #define PIC32_CAN_INT_MODIF_Pos 3U
 #define PIC32_CAN_INT_MODIF_Msk UINT32_C(0x00000008)
@@ -949,7 +979,7 @@ static inline uint32_t pic32_can_int_modif_get(uint32_t reg)
 /* CTMRIF: The time stamp timer CANTS overflowed. Access w0c. A flag: writing 0 clears it, writing 1 does
  * nothing.
  * Contradictions of the manual: cantmr_name.
- * Register 34-3 p.19; §34.12.1.9
+ * Register 34-3 p.19; §34.12.1.9 p.96
  */
 #define PIC32_CAN_INT_CTMRIF_Pos 2U
 #define PIC32_CAN_INT_CTMRIF_Msk UINT32_C(0x00000004)
@@ -962,7 +992,7 @@ static inline uint32_t pic32_can_int_ctmrif_get(uint32_t reg)
 /* RBIF: An enabled not-empty, half-full or full flag of a receive FIFO is pending. Goes away with its causes.
  * Access ro.
  * Contradictions of the manual: derived_flags_drawn_writable.
- * Register 34-3 p.19; §34.12.1.11
+ * Register 34-3 p.19; §34.12.1.11 p.96
  */
 #define PIC32_CAN_INT_RBIF_Pos 1U
 #define PIC32_CAN_INT_RBIF_Msk UINT32_C(0x00000002)
@@ -975,7 +1005,7 @@ static inline uint32_t pic32_can_int_rbif_get(uint32_t reg)
 /* TBIF: An enabled not-full, half-full or empty flag of a transmit FIFO is pending. Goes away with its causes.
  * Access ro.
  * Contradictions of the manual: derived_flags_drawn_writable.
- * Register 34-3 p.19; §34.12.1.10
+ * Register 34-3 p.19; §34.12.1.10 p.96
  */
 #define PIC32_CAN_INT_TBIF_Pos 0U
 #define PIC32_CAN_INT_TBIF_Msk UINT32_C(0x00000001)
@@ -1017,8 +1047,8 @@ static inline void pic32_can_int_inv(pic32_can_regs_t *regs, uint32_t bits)
 #define PIC32_CAN_VEC_OFFSET 0x030U
 #define PIC32_CAN_VEC_RESET UINT32_C(0x00000040)
 #define PIC32_CAN_VEC_RESET_MASK UINT32_C(0xFFFFFFFF)
-/* FILHIT: Filter that last matched a received message. It keeps no history and changes only when a message is
- * received. Access ro.
+/* FILHIT: Filter that matched the latest received message. The next reception overwrites it; clearing interrupts
+ * does not. Access ro.
  * Register 34-4 p.20; §34.12.7
  */
 #define PIC32_CAN_VEC_FILHIT_Pos 8U
@@ -1145,7 +1175,7 @@ static inline uint32_t pic32_can_trec_rec_get(uint32_t reg)
 /* FSTAT: CAN FIFO Status Register.
  * One bit per FIFO that tells whether it has an enabled interrupt pending. It is an indication, no interrupt
  * source of its own.
- * Register 34-6 p.23; §34.12.4; Table 34-1 p.11 (offset)
+ * Register 34-6 p.23; §34.12.4 p.97; Table 34-1 p.11 (offset)
  */
 #define PIC32_CAN_FSTAT_OFFSET 0x050U
 #define PIC32_CAN_FSTAT_RESET UINT32_C(0x00000000)
@@ -1168,7 +1198,7 @@ static inline uint32_t pic32_can_fstat_fifoip_get(uint32_t reg, unsigned int lan
 /* RXOVF: CAN Receive FIFO Overflow Status Register.
  * One bit per FIFO that tells whether it has overflowed.
  * Hazard: With RXOVFLIE = 0 an overflow of the FIFO does not show here, only in its RXOVFLIF.
- * Register 34-7 p.24; §34.12.5; Table 34-1 p.11 (offset)
+ * Register 34-7 p.24; §34.12.5 p.97; Table 34-1 p.11 (offset)
  */
 #define PIC32_CAN_RXOVF_OFFSET 0x060U
 #define PIC32_CAN_RXOVF_RESET UINT32_C(0x00000000)
@@ -1258,7 +1288,7 @@ static inline void pic32_can_tmr_inv(pic32_can_regs_t *regs, uint32_t bits)
  * filter selects one of the four masks with MSEL.
  * Hazard: A mask cannot be changed while a filter that selects it is enabled, not even in Configuration mode.
  * Contradictions of the manual: register_summary_columns, mask_write_lock.
- * Register 34-9 p.26; §34.8.3; Table 34-1 p.11 (offset)
+ * Register 34-9 p.26; §34.8.3 p.75; Table 34-1 p.11 (offset)
  */
 #define PIC32_CAN_RXM_OFFSET 0x080U
 #define PIC32_CAN_RXM_COUNT 4U
@@ -1415,7 +1445,7 @@ static inline uint32_t pic32_can_flt_con_msel_set(uint32_t reg, unsigned int lan
  * FIFO with RTREN set. Access rw:filter_off. A write has an effect only if filter_off (!FLTCON.FLTEN[n]). Lane 0
  * is number 0 in the first register.
  * Contradictions of the manual: filter_enable_note, figure_34_23.
- * Register 34-10 p.27; §34.8.4; §34.7.5
+ * Register 34-10 p.27; §34.8.4 p.76; §34.7.5
  */
 #define PIC32_CAN_FLT_CON_FSEL_Pos(lane) (0U + 8U * (lane))
 #define PIC32_CAN_FLT_CON_FSEL_Msk(lane) ((uint32_t)(UINT32_C(0x0000001F) << (8U * (lane))))
@@ -1520,7 +1550,7 @@ static inline uint32_t pic32_can_rxf_exid_set(uint32_t reg, uint32_t value)
 /* EID: Extended identifier to match. With DeviceNet filtering, the data bits to match. Access rw:filter_off. A
  * write has an effect only if filter_off (!FLTCON.FLTEN[n]).
  * Contradictions of the manual: devicenet_bit_order.
- * Register 34-18 p.43; §34.8.7
+ * Register 34-18 p.43; §34.8.7 p.78
  */
 #define PIC32_CAN_RXF_EID_Pos 0U
 #define PIC32_CAN_RXF_EID_Msk UINT32_C(0x0003FFFF)
@@ -1667,7 +1697,7 @@ static inline uint32_t pic32_can_fifo_con_fsize_set(uint32_t reg, uint32_t value
  * FIFO before. No transmission may be pending in a transmit FIFO, and no enabled filter may point to a receive
  * FIFO. Access w1s. A request: writing 1 makes it, writing 0 does nothing, hardware clears it.
  * Contradictions of the manual: command_bits_drawn_writable, fifo_reset_txreq.
- * Register 34-20 p.45; §34.6.4
+ * Register 34-20 p.45; §34.6.4 p.61
  */
 #define PIC32_CAN_FIFO_CON_FRESET_Pos 14U
 #define PIC32_CAN_FIFO_CON_FRESET_Msk UINT32_C(0x00004000)
@@ -1681,7 +1711,7 @@ static inline uint32_t pic32_can_fifo_con_freset_get(uint32_t reg)
  * a message, the tail of a receive FIFO after reading one. Access w1s. A request: writing 1 makes it, writing 0
  * does nothing, hardware clears it.
  * Contradictions of the manual: command_bits_drawn_writable, example_34_4_fifo, step_lists.
- * Register 34-20 p.46; §34.6.2; §34.6.3
+ * Register 34-20 p.46; §34.6.2 p.59; §34.6.3 p.60
  */
 #define PIC32_CAN_FIFO_CON_UINC_Pos 13U
 #define PIC32_CAN_FIFO_CON_UINC_Msk UINT32_C(0x00002000)
@@ -1694,7 +1724,7 @@ static inline uint32_t pic32_can_fifo_con_uinc_get(uint32_t reg)
 /* DONLY: What is stored of a received message. Without effect on a transmit FIFO. Access rw:configuration. A
  * write has an effect only if configuration (CON.OPMOD == configuration).
  * Contradictions of the manual: donly_name.
- * Register 34-20 p.46; §34.9.1
+ * Register 34-20 p.46; §34.9.1 p.84
  */
 #define PIC32_CAN_FIFO_CON_DONLY_Pos 12U
 #define PIC32_CAN_FIFO_CON_DONLY_Msk UINT32_C(0x00001000)
@@ -1712,6 +1742,7 @@ static inline uint32_t pic32_can_fifo_con_donly_set(uint32_t reg, uint32_t value
 }
 /* TXEN: Direction of the FIFO. Not protected by Configuration mode. Access rw.
  * Contradictions of the manual: figure_34_16.
+ * Register 34-20 p.46
  */
 #define PIC32_CAN_FIFO_CON_TXEN_Pos 7U
 #define PIC32_CAN_FIFO_CON_TXEN_Msk UINT32_C(0x00000080)
@@ -1730,6 +1761,7 @@ static inline uint32_t pic32_can_fifo_con_txen_set(uint32_t reg, uint32_t value)
 /* TXABAT: 1 if the last message was aborted, 0 if it completed. Updated when a message completes or is aborted,
  * and by a reset of the FIFO. Access ro.
  * Contradictions of the manual: txabt, transmit_status_drawn_writable.
+ * Register 34-20 p.46
  */
 #define PIC32_CAN_FIFO_CON_TXABAT_Pos 6U
 #define PIC32_CAN_FIFO_CON_TXABAT_Msk UINT32_C(0x00000040)
@@ -1742,6 +1774,7 @@ static inline uint32_t pic32_can_fifo_con_txabat_get(uint32_t reg)
 /* TXLARB: The message lost arbitration while it was being sent. Cleared by any read of this register and by a
  * reset of the FIFO. Access ro+rc. A read of the register clears it.
  * Contradictions of the manual: transmit_status_drawn_writable.
+ * Register 34-20 p.46
  */
 #define PIC32_CAN_FIFO_CON_TXLARB_Pos 5U
 #define PIC32_CAN_FIFO_CON_TXLARB_Msk UINT32_C(0x00000020)
@@ -1751,9 +1784,10 @@ static inline uint32_t pic32_can_fifo_con_txlarb_get(uint32_t reg)
 {
     return (uint32_t)((reg & PIC32_CAN_FIFO_CON_TXLARB_Msk) >> PIC32_CAN_FIFO_CON_TXLARB_Pos);
 }
-/* TXERR: A bus error occurred while the message was being sent. Cleared by any read of this register and by a
- * reset of the FIFO. Access ro+rc. A read of the register clears it.
+/* TXERR: Transmission was disturbed by a bus error. Cleared by any read of this register and by a reset of the
+ * FIFO. Access ro+rc. A read of the register clears it.
  * Contradictions of the manual: transmit_status_drawn_writable.
+ * Register 34-20 p.46
  */
 #define PIC32_CAN_FIFO_CON_TXERR_Pos 4U
 #define PIC32_CAN_FIFO_CON_TXERR_Msk UINT32_C(0x00000010)
@@ -1781,6 +1815,7 @@ static inline uint32_t pic32_can_fifo_con_txreq_get(uint32_t reg)
 }
 /* RTREN: 1 answers a matching remote frame by setting TXREQ, 0 leaves TXREQ alone. Access rw.
  * Contradictions of the manual: txabt.
+ * Register 34-20 p.46; §34.7.5
  */
 #define PIC32_CAN_FIFO_CON_RTREN_Pos 2U
 #define PIC32_CAN_FIFO_CON_RTREN_Msk UINT32_C(0x00000004)
@@ -1799,7 +1834,7 @@ static inline uint32_t pic32_can_fifo_con_rtren_set(uint32_t reg, uint32_t value
 /* TXPRI: Priority of the FIFO among those ready to send; of equal ones the FIFO with the highest number goes
  * first. Looked at anew before every message, so a change takes effect after the message being sent. Access rw.
  * Contradictions of the manual: txpri_name.
- * Register 34-20 p.46; §34.7.3
+ * Register 34-20 p.46; §34.7.3 p.68
  */
 #define PIC32_CAN_FIFO_CON_TXPRI_Pos 0U
 #define PIC32_CAN_FIFO_CON_TXPRI_Msk UINT32_C(0x00000003)
@@ -1848,7 +1883,7 @@ static inline void pic32_can_fifo_con_inv(pic32_can_regs_t *regs, unsigned int n
  * Hazard: Setting TXEN raises the three flags of the empty transmit FIFO, so transmit interrupts that are
  * already enabled fire at once.
  * Contradictions of the manual: fifo_stride.
- * Register 34-21 p.47; §34.12.2; Table 34-1 p.13 (offset)
+ * Register 34-21 p.47; §34.12.2 p.96; Table 34-1 p.13 (offset)
  */
 #define PIC32_CAN_FIFO_INT_OFFSET 0x360U
 #define PIC32_CAN_FIFO_INT_COUNT 32U
@@ -1933,7 +1968,9 @@ static inline uint32_t pic32_can_fifo_int_rxfullie_set(uint32_t reg, uint32_t va
     PIC32_CAN_ASSERT(value <= 1U);
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_FIFO_INT_RXFULLIE_Msk) | PIC32_CAN_FIFO_INT_RXFULLIE_SET(value));
 }
-/* RXHALFIE: Enables the interrupt for a receive FIFO that is at least half full. Access rw. */
+/* RXHALFIE: Enables the interrupt for a receive FIFO that is at least half full. Access rw.
+ * Register 34-21 p.48
+ */
 #define PIC32_CAN_FIFO_INT_RXHALFIE_Pos 17U
 #define PIC32_CAN_FIFO_INT_RXHALFIE_Msk UINT32_C(0x00020000)
 #define PIC32_CAN_FIFO_INT_RXHALFIE_Width 1U
@@ -1950,6 +1987,7 @@ static inline uint32_t pic32_can_fifo_int_rxhalfie_set(uint32_t reg, uint32_t va
 }
 /* RXNEMPTYIE: Enables the interrupt for a receive FIFO that is not empty. Access rw.
  * Contradictions of the manual: rxnempty_name.
+ * Register 34-21 p.48
  */
 #define PIC32_CAN_FIFO_INT_RXNEMPTYIE_Pos 16U
 #define PIC32_CAN_FIFO_INT_RXNEMPTYIE_Msk UINT32_C(0x00010000)
@@ -2004,7 +2042,7 @@ static inline uint32_t pic32_can_fifo_int_txemptyif_get(uint32_t reg)
  * cleared. In a transmit FIFO with RTREN set, a remote frame found it empty. Access w0c. A flag: writing 0
  * clears it, writing 1 does nothing.
  * Contradictions of the manual: receive_flag_bits, layer3_names, remote_request_overflow.
- * Register 34-21 p.48; §34.12.3; §34.12.1.6; §34.7.5
+ * Register 34-21 p.48; §34.12.3 p.97; §34.12.1.6 p.95; §34.7.5
  */
 #define PIC32_CAN_FIFO_INT_RXOVFLIF_Pos 3U
 #define PIC32_CAN_FIFO_INT_RXOVFLIF_Msk UINT32_C(0x00000008)
@@ -2090,7 +2128,7 @@ static inline void pic32_can_fifo_int_inv(pic32_can_regs_t *regs, unsigned int n
  * Hazard: Not valid in Configuration mode; read it only when OPMOD shows another mode.
  * Hazard: The address is physical; convert it to a virtual address before using it as a pointer.
  * Contradictions of the manual: fifo_stride, fifoua_fifoci_names, seven_digit_address, step_lists.
- * Register 34-22 p.50; Table 34-1 p.13 (offset)
+ * Register 34-22 p.50; §34.6.2 p.59; §34.6.3 p.60; Table 34-1 p.13 (offset)
  */
 #define PIC32_CAN_FIFO_UA_OFFSET 0x370U
 #define PIC32_CAN_FIFO_UA_COUNT 32U
@@ -2099,8 +2137,8 @@ static inline void pic32_can_fifo_int_inv(pic32_can_regs_t *regs, unsigned int n
 #define PIC32_CAN_FIFO_UA_RESET UINT32_C(0x00000000)
 #define PIC32_CAN_FIFO_UA_RESET_MASK UINT32_C(0x00000003)
 /* CiFIFOUA: Byte address where the next message to send is to be stored (head of a transmit FIFO) or the next
- * received message is to be read (tail of a receive FIFO). UINC moves it on and wraps it. Bits 1:0 always read
- * 0. Access ro.
+ * received message is to be read (tail of a receive FIFO). UINC moves it on by one buffer, 16 bytes or 8 in a
+ * data-only FIFO, and wraps it at the end of the FIFO. Bits 1:0 always read 0. Access ro.
  * Contradictions of the manual: address_alignment.
  */
 #define PIC32_CAN_FIFO_UA_FIFOUA_Pos 0U
@@ -2352,7 +2390,7 @@ static inline void pic32_can_tx_buffer_id_write(pic32_can_tx_buffer_t *element, 
  * read 0. Lies in system RAM and has no CLR, SET or INV registers.
  * Data byte 0 is the least significant byte of the first word and the first one on the bus. What the bytes
  * beyond the length hold is not stated.
- * Table 34-5; §34.9 p.80; Example 34-13
+ * Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
  */
 typedef struct {
     volatile uint32_t CMSGSID; /* Time stamp, filter and standard identifier. */
@@ -2366,11 +2404,11 @@ PIC32_CAN_STATIC_ASSERT(sizeof(pic32_can_rx_buffer_t) == 0x010U, pic32_can_rx_bu
 #define PIC32_CAN_RX_BUFFER_HEADER_BYTES 8U
 /* Word CMSGSID of RX_BUFFER: Time stamp, filter and standard identifier.
  * Has this layout only if FIFOCON.TXEN == receive && FIFOCON.DONLY == full_message.
- * Table 34-5; §34.9 p.80; Example 34-13
+ * Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
  */
 #define PIC32_CAN_RX_BUFFER_CMSGSID_OFFSET 0x000U
 /* CMSGTS: Value of CANTS right after the end of frame of the message, if CANCAP is 1. Access rw.
- * Table 34-5; §34.13 p.98
+ * Table 34-5 p.80; §34.13 p.98
  */
 #define PIC32_CAN_RX_BUFFER_CMSGSID_CMSGTS_Pos 16U
 #define PIC32_CAN_RX_BUFFER_CMSGSID_CMSGTS_Msk UINT32_C(0xFFFF0000)
@@ -2387,7 +2425,7 @@ static inline uint32_t pic32_can_rx_buffer_cmsgsid_cmsgts_set(uint32_t reg, uint
     return (uint32_t)((reg & (uint32_t)~PIC32_CAN_RX_BUFFER_CMSGSID_CMSGTS_Msk) | PIC32_CAN_RX_BUFFER_CMSGSID_CMSGTS_SET(value));
 }
 /* FILHIT: Filter that accepted the message. Access rw.
- * Table 34-5; §34.8.4
+ * Table 34-5 p.80; §34.8.4 p.76
  */
 #define PIC32_CAN_RX_BUFFER_CMSGSID_FILHIT_Pos 11U
 #define PIC32_CAN_RX_BUFFER_CMSGSID_FILHIT_Msk UINT32_C(0x0000F800)
@@ -2420,7 +2458,7 @@ static inline uint32_t pic32_can_rx_buffer_cmsgsid_sid_set(uint32_t reg, uint32_
 }
 /* Word CMSGEID of RX_BUFFER: Extended identifier, type and length of the message.
  * Has this layout only if FIFOCON.TXEN == receive && FIFOCON.DONLY == full_message.
- * Table 34-5; §34.9 p.80; Example 34-13
+ * Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
  */
 #define PIC32_CAN_RX_BUFFER_CMSGEID_OFFSET 0x004U
 /* SRR: Substitute remote request bit of the message. Access rw. */
@@ -2582,7 +2620,7 @@ static inline void pic32_can_rx_buffer_id_write(pic32_can_rx_buffer_t *element, 
  * reserved bits, length and time stamp are dropped even if time stamping is on, so neither the length nor the
  * filter can be recovered from it.
  * Always eight bytes; those beyond the length of the message are filled with 0.
- * Table 34-6; §34.9.1
+ * Table 34-6 p.84; §34.9.1 p.84
  */
 typedef struct {
     volatile uint32_t PAYLOAD[2];
