@@ -45,7 +45,8 @@ pub(crate) fn view() -> Value {
         example => EXAMPLE,
         types => schema::types().iter().map(TypeDoc::view).collect::<Vec<_>>(),
         access => AccessCode::ALL.into_iter().map(|code| context! {
-            code => code.as_str(), meaning => code.meaning(), readable => yes(code.readable()), writable => yes(code.writable()),
+            code => code.as_str(), meaning => code.meaning(), readable => yes(code.readable()),
+            writable => yes(code.writable()),
             neutral => neutral(code),
         }).collect::<Vec<_>>(),
         diagnostics => Code::ALL.iter().map(|code| context! {

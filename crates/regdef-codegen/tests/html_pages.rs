@@ -1,7 +1,8 @@
 //! What the pages say about small descriptions, one per feature of the language: the content of every page in a
 //! plain notation, so that a change of what a reader sees is a change of a snapshot.
 //!
-//! `[text](address)` is a link, `{rw NAME[7:0] rw*}` a field of a diagram with the class of its colour, `#id` an anchor.
+//! `[text](address)` is a link, `{rw NAME[7:0] rw*}` a field of a diagram with the class of its colour, `#id` an
+//! anchor.
 
 mod common;
 

@@ -25,8 +25,9 @@ pub(super) fn data(
 }
 
 fn field(model: &Model, field: &Field) -> Value {
+    let numbered = field.lanes.is_some() && !field.label.contains("{n}");
     let mut data = json!({
-        "name": if field.lanes.is_some() && !field.label.contains("{n}") { format!("{}{{n}}", field.label) } else { field.label.clone() },
+        "name": if numbered { format!("{}{{n}}", field.label) } else { field.label.clone() },
         "lsb": field.lsb,
         "width": field.width,
         "code": field.access.code.as_str(),

@@ -68,7 +68,8 @@ fn row(book: &Book<'_>, xref: &Xref, holder: Holder<'_>, index: usize, field: &F
     let values = field.enumeration().map(|id| {
         let one = book.model.enumeration(id);
         context! {
-            rows => values(book, one), count => one.variants.len(), link => book.enumeration(id), name => one.name.clone(), shared => one.shared,
+            rows => values(book, one), count => one.variants.len(), link => book.enumeration(id),
+            name => one.name.clone(), shared => one.shared,
         }
     });
     context! {

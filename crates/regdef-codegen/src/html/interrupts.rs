@@ -15,7 +15,8 @@ pub(super) fn view(book: &Book<'_>) -> Value {
     let lines = interrupts.lines.iter().enumerate().map(|(index, line)| {
         let reach = interrupts.sources.iter().filter(|s| s.lines.contains(&LineId(index))).count();
         context! {
-            id => anchor(&book.line(LineId(index))), name => line.name.clone(), doc => safe(book.inline(&line.doc, None)),
+            id => anchor(&book.line(LineId(index))), name => line.name.clone(),
+            doc => safe(book.inline(&line.doc, None)),
             enable => line.enable.map(|at| safe(book.field_link(at))), select => line.select, reach,
             cites => safe(book.cites(&line.cites)),
         }
@@ -24,11 +25,14 @@ pub(super) fn view(book: &Book<'_>) -> Value {
         let reaches = source.lines.iter().map(|&l| line_link(l)).chain(source.feeds.iter().map(|&s| source_link(s)));
         let fed = interrupts.sources.iter().enumerate().filter(|(_, s)| s.feeds.contains(&InterruptId(index)));
         context! {
-            id => anchor(&book.interrupt(InterruptId(index))), name => source.name.clone(), doc => safe(book.inline(&source.doc, None)),
+            id => anchor(&book.interrupt(InterruptId(index))), name => source.name.clone(),
+            doc => safe(book.inline(&source.doc, None)),
             flag => safe(book.field_link(source.flag)), enable => source.enable.map(|at| safe(book.field_link(at))),
-            select => source.select.map(|at| safe(book.field_link(at))), reaches => safe(reaches.collect::<Vec<_>>().join(", ")),
+            select => source.select.map(|at| safe(book.field_link(at))),
+            reaches => safe(reaches.collect::<Vec<_>>().join(", ")),
             fed_by => safe(fed.map(|(i, _)| source_link(InterruptId(i))).collect::<Vec<_>>().join(", ")),
-            code => source.code.map(|(first, last)| if first == last { first.to_string() } else { format!("{first}–{last}") }), cleared_by => safe(book.inline(&source.cleared_by, None)), cites => safe(book.cites(&source.cites)),
+            code => source.code.map(|(first, last)| if first == last { first.to_string() } else { format!("{first}–{last}") }),
+            cleared_by => safe(book.inline(&source.cleared_by, None)), cites => safe(book.cites(&source.cites)),
         }
     });
     context! {

@@ -55,9 +55,10 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         marks => marks(register),
         window => register.window.map(|w| {
             let window = &model.windows[w.0];
-            context! { link => book.window(w), name => window.name.clone(), select => safe(book.field_link(window.select)), value => window.value }
+            let select = safe(book.field_link(window.select));
+            context! { link => book.window(w), name => window.name.clone(), select, value => window.value }
         }),
-        cluster => register.cluster.map(|c| context! { link => book.cluster(c), name => model.clusters[c.0].name.clone(), title => model.clusters[c.0].title.clone() }),
+        cluster => register.cluster.map(|c| context! { link => book.cluster(c), title => model.clusters[c.0].title.clone() }),
         device => register.offset.is_none(),
         hazards => register.hazards.iter().map(|h| safe(book.inline(h, Some(id)))).collect::<Vec<_>>(),
         unsafe_write => register.unsafe_write.as_ref().map(|why| safe(book.inline(why, Some(id)))),
@@ -68,7 +69,9 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         decode => safe(data),
         rules => write_conditions(book, register),
         fields => rows(book, xref, holder, &register.fields),
-        elements => elements.iter().map(|e| context! { label => e.label.clone(), offset => offset(e.offset), aliases => aliases(model, register, e.offset) }).collect::<Vec<_>>(),
+        elements => elements.iter().map(|e| context! {
+            label => e.label.clone(), offset => offset(e.offset), aliases => aliases(model, register, e.offset),
+        }).collect::<Vec<_>>(),
         aliases => aliases(model, register, register.offset.unwrap_or(0)),
         alias_names => model.aliases.iter().map(|a| a.name.clone()).collect::<Vec<_>>(),
         capabilities => access::capabilities(book, id)

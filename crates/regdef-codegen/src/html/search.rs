@@ -25,7 +25,8 @@ const KINDS: [&str; 14] = [
     "page",
 ];
 
-/// The index of the whole site: `REGDEF_INDEX = {kinds, controllers, entries: [[kind, controller, name, title, url, text]]}`.
+/// The index of the whole site: `REGDEF_INDEX = {kinds, controllers, entries}`, each entry being
+/// `[kind, controller, name, title, url, text]`.
 pub(super) fn index(books: &[Book<'_>], language: &[(String, String, String)]) -> String {
     let mut entries = Vec::new();
     for (number, book) in books.iter().enumerate() {

@@ -53,7 +53,8 @@ pub(super) fn view(book: &Book<'_>, timing: &BitTiming) -> Value {
         context! {
             id, title, rows => rows(roles(phase)), rules => rules(&phase.rules),
             quanta => format!("{} to {}", phase.min_quanta, phase.max_quanta),
-            rate => phase.max_bit_rate.map(frequency).map(|r| r.replace("Hz", "bit/s")), cites => safe(book.cites(&phase.cites)),
+            rate => phase.max_bit_rate.map(frequency).map(|r| r.replace("Hz", "bit/s")),
+            cites => safe(book.cites(&phase.cites)),
         }
     };
     let mut phases = vec![phase(&timing.nominal, "nominal", "Nominal phase")];

@@ -91,7 +91,9 @@ impl TypeDoc {
             };
             pieces.iter().map(one).collect()
         };
-        let keys = self.keys.iter().map(|k| context! { name => k.name.clone(), doc => k.doc.clone(), required => k.required, kind => pieces(&k.kind) });
+        let keys = self.keys.iter().map(|k| {
+            context! { name => k.name.clone(), doc => k.doc.clone(), required => k.required, kind => pieces(&k.kind) }
+        });
         context! {
             name => spaced(&self.name),
             anchor => self.anchor(),
