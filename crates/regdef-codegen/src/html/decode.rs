@@ -15,7 +15,7 @@ pub(super) fn data(
     let value = json!({
         "name": name,
         "width": width,
-        "reset": reset.map_or(0, |r| r.value),
+        "reset": reset.map(|r| r.value),
         "unknown": reset.map_or(0, |r| r.unknown),
         "elements": elements,
         "fields": fields.iter().map(|f| field(model, f)).collect::<Vec<_>>(),
