@@ -52,7 +52,13 @@ fn the_header_compiles_by_itself_in_every_dialect() {
             for dialect in compiler.dialects {
                 // Twice, because a header may be included by two others.
                 let source = format!("#include \"{name}\"\n#include \"{name}\"\nint canpac_unit;\n");
-                compiler.compile(dir.path(), &[(&name, &header)], &source, dialect, &format!("{}, {dialect}", file.display()));
+                compiler.compile(
+                    dir.path(),
+                    &[(&name, &header)],
+                    &source,
+                    dialect,
+                    &format!("{}, {dialect}", file.display()),
+                );
             }
         }
     }

@@ -36,8 +36,11 @@ pub fn compare(model: &Model, compiler: &Compiler) -> usize {
     for (index, field) in expected.iter().enumerate() {
         let says = format!("{} on {}", field.what, compiler.program);
         let bytes = data.get(&format!("field_{index}")).unwrap_or_else(|| panic!("{says}: no object"));
-        let numbers: Vec<u32> =
-            bytes.chunks_exact(4).take(6).map(|four| u32::from_le_bytes([four[0], four[1], four[2], four[3]])).collect();
+        let numbers: Vec<u32> = bytes
+            .chunks_exact(4)
+            .take(6)
+            .map(|four| u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
+            .collect();
         assert_eq!(numbers, field.numbers, "{says}: offset, position, mask, width, reset, known bits of the reset");
         let bytes = data.get(&format!("access_{index}")).unwrap_or_else(|| panic!("{says}: no access"));
         let text: Vec<u8> = bytes.iter().copied().take_while(|byte| *byte != 0).collect();
@@ -128,7 +131,9 @@ fn source(model: &Model, header: &str, expected: &[Expected], views: &[BitField]
             None => ("0U".to_owned(), "0U".to_owned()),
         };
         line(format!("extern const uint32_t field_{index}[6];"));
-        line(format!("const uint32_t field_{index}[6] = {{{offset}, {position}, {mask}, {stem}_Width, {reset}, {known}}};"));
+        line(format!(
+            "const uint32_t field_{index}[6] = {{{offset}, {position}, {mask}, {stem}_Width, {reset}, {known}}};"
+        ));
         line(format!("extern const char access_{index}[];"));
         line(format!("const char access_{index}[] = {stem}_Access;"));
     }

@@ -77,7 +77,11 @@ fn one(model: &Model, placed: Placed, found: &RegisterInfo) -> usize {
             compared += 1;
         }
     }
-    assert!(fields.is_empty(), "{label}: fields that the model has not: {:?}", fields.values().map(|f| &f.name).collect::<Vec<_>>());
+    assert!(
+        fields.is_empty(),
+        "{label}: fields that the model has not: {:?}",
+        fields.values().map(|f| &f.name).collect::<Vec<_>>()
+    );
     compared
 }
 

@@ -2,10 +2,10 @@
 
 use regdef::model::{AliasOp, Model, Neutral, NoModify, Register, RegisterId, WriteEffect};
 
+use super::Context;
 use super::layout::Reach;
 use super::literal::{ctype, hex};
 use super::write::Writer;
-use super::Context;
 
 /// How functions reach a register.
 pub(super) struct Target {
@@ -147,7 +147,10 @@ fn any_write(out: &mut Writer, register: &Register, target: &Target, stem: &str)
         return;
     }
     out.comment(&["Clears or presets the register, as any write does: one store.".to_owned()]);
-    out.function(&format!("void {stem}_restart({})", target.parameters), &with(target, format!("{} = 0U;", target.lvalue)));
+    out.function(
+        &format!("void {stem}_restart({})", target.parameters),
+        &with(target, format!("{} = 0U;", target.lvalue)),
+    );
 }
 
 /// One store to an alias register.
@@ -170,7 +173,10 @@ fn aliases(context: &Context<'_>, out: &mut Writer, id: RegisterId, target: &Tar
         let container = ctype(register.width);
         out.comment(&[format!("{verb} the given bits: one store to the {} register.", alias.name)]);
         let name = format!("{stem}_{}", alias.name.to_ascii_lowercase());
-        out.function(&format!("void {name}({}, {container} bits)", target.parameters), &with(target, format!("{lvalue} = bits;")));
+        out.function(
+            &format!("void {name}({}, {container} bits)", target.parameters),
+            &with(target, format!("{lvalue} = bits;")),
+        );
     }
 }
 

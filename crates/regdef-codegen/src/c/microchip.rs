@@ -27,7 +27,9 @@ pub(super) fn emit(context: &Context<'_>, out: &mut Writer) {
             .to_owned(),
     ]);
     out.line(&format!("#ifdef {upper}_MICROCHIP_NAMES"));
-    out.line("#if defined(__BYTE_ORDER__) && defined(__ORDER_LITTLE_ENDIAN__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__");
+    out.line(
+        "#if defined(__BYTE_ORDER__) && defined(__ORDER_LITTLE_ENDIAN__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__",
+    );
     out.line("#error \"bit-fields are laid out for little-endian compilers\"");
     out.line("#endif");
     let placed: Vec<Placed> =

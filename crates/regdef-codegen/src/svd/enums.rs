@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use regdef::model::{EnumId, Enum, Field, Model};
+use regdef::model::{Enum, EnumId, Field, Model};
 use svd_rs::{EnumeratedValue, EnumeratedValues};
 
 use super::{At, Error, LEVEL, name, plain};
@@ -78,7 +78,8 @@ fn listed(of: &Enum, capacity: u64) -> Result<Option<Vec<EnumeratedValue>>, Erro
             return Ok(None);
         }
         for value in variant.first..=last {
-            let name = if variant.first == variant.last { variant.name.clone() } else { format!("{}_{value}", variant.name) };
+            let name =
+                if variant.first == variant.last { variant.name.clone() } else { format!("{}_{value}", variant.name) };
             let text = if variant.doc.is_empty() { &variant.name } else { &variant.doc };
             let entry = EnumeratedValue::builder()
                 .name(name::identifier(&name))

@@ -14,7 +14,8 @@ pub(super) fn all(model: &Model, shared: &mut Shared) -> Result<Vec<Peripheral>,
         .usage(AddressBlockUsage::Registers)
         .build(LEVEL)
         .at("span")?;
-    let first_name = model.instances.first().map_or_else(|| name::identifier(&model.names.ident.upper), peripheral_name);
+    let first_name =
+        model.instances.first().map_or_else(|| name::identifier(&model.names.ident.upper), peripheral_name);
     shared.begin(&first_name);
     let first = PeripheralInfo::builder()
         .name(first_name.clone())
@@ -52,7 +53,8 @@ fn peripheral_name(instance: &Instance) -> String {
 }
 
 fn described(instance: &Instance) -> String {
-    let mut sentences = vec![format!("{} of {}.", instance.name, instance.chips.join(", ")), text::sentence(&instance.doc)];
+    let mut sentences =
+        vec![format!("{} of {}.", instance.name, instance.chips.join(", ")), text::sentence(&instance.doc)];
     if let Some(memory) = instance.memory {
         sentences.push(format!("Message memory at {memory:#x}."));
     }

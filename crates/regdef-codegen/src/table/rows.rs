@@ -1,8 +1,6 @@
 //! The rows of the field table.
 
-use regdef::model::{
-    Dim, Enum, Field, FieldReset, Kind, Message, Model, Payload, Register, Reset, ResetKind,
-};
+use regdef::model::{Dim, Enum, Field, FieldReset, Kind, Message, Model, Payload, Register, Reset, ResetKind};
 
 use crate::text;
 
