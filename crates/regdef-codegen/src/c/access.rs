@@ -104,13 +104,13 @@ fn flags(out: &mut Writer, register: &Register, target: &Target, stem: &str) {
     if clearable(register) {
         let mut terms = Vec::new();
         if can.one_clears != 0 {
-            terms.push(format!("(flags & {})", literal(can.one_clears)));
+            terms.push(format!("flags & {}", literal(can.one_clears)));
         }
         if can.neutral_ones != 0 {
-            terms.push(format!("({} & ({container})~flags)", literal(can.neutral_ones)));
+            terms.push(format!("{} & ({container})~flags", literal(can.neutral_ones)));
         }
         out.comment(&["Clears the given flags and no others: one store, no read.".to_owned()]);
-        let body = with(target, format!("{} = ({container})({});", target.lvalue, terms.join(" | ")));
+        let body = with(target, format!("{} = ({container})({});", target.lvalue, join(&terms)));
         out.function(&format!("void {stem}_clear({}, {container} flags)", target.parameters), &body);
     }
     if requestable(register) {
@@ -118,6 +118,14 @@ fn flags(out: &mut Writer, register: &Register, target: &Target, stem: &str) {
         let ones = if can.neutral_ones == 0 { String::new() } else { format!(" | {}", literal(can.neutral_ones)) };
         let line = format!("{} = ({container})((requests & {}){ones});", target.lvalue, literal(can.one_sets));
         out.function(&format!("void {stem}_request({}, {container} requests)", target.parameters), &with(target, line));
+    }
+}
+
+/// Terms joined with `|`, in parentheses where there are several.
+fn join(terms: &[String]) -> String {
+    match terms {
+        [one] => one.clone(),
+        several => format!("({})", several.join(") | (")),
     }
 }
 
