@@ -84,7 +84,10 @@ fn lane(holder: &Holder<'_>, field: &Field) -> Lane {
     Lane {
         parameter: quote!(n: usize,),
         lsb,
-        doc: vec!["# Panics".to_owned(), format!("If `n`, the number of the lane in this register, is not in {}..={last}.", lanes.first)],
+        doc: vec![
+            "# Panics".to_owned(),
+            format!("If `n`, the number of the lane in this register, is not in {}..={last}.", lanes.first),
+        ],
     }
 }
 
@@ -122,7 +125,8 @@ fn getter(model: &Model, holder: &Holder<'_>, field: &Field) -> TokenStream {
     };
     paragraphs.extend(lane_doc);
     let docs = doc::doc(&paragraphs);
-    let must_use = (!matches!(field.kind, Kind::Enum(id) if !model.enumeration(id).is_total())).then(|| quote!(#[must_use]));
+    let must_use =
+        (!matches!(field.kind, Kind::Enum(id) if !model.enumeration(id).is_total())).then(|| quote!(#[must_use]));
     quote! {
         #docs
         #[inline(always)]

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 use regdef::model::{
-    AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, FieldReset, Joined, LaneIndex, Message, Model,
-    OnRead, Part, ReadEffect, Register, SectionStart, TimingPhase,
+    AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, FieldReset, Joined, LaneIndex,
+    Message, Model, OnRead, Part, ReadEffect, Register, SectionStart, TimingPhase,
 };
 
 use super::{doc, fields, hex, ident, number};
@@ -200,8 +200,7 @@ fn comparison(how: Comparison) -> TokenStream {
 }
 
 fn part<R>(part: &Part<R>, holder: usize) -> TokenStream {
-    let (holder, lsb, width, shift) =
-        (number(holder as u64), number(part.lsb), number(part.width), number(part.shift));
+    let (holder, lsb, width, shift) = (number(holder as u64), number(part.lsb), number(part.width), number(part.shift));
     quote!(Part { holder: #holder, lsb: #lsb, width: #width, shift: #shift })
 }
 

@@ -58,7 +58,8 @@ fn paragraphs(model: &Model, id: RegisterId, register: &Register) -> Vec<String>
         register.label.replace("{n}", "n"),
         register.reset.value
     );
-    let mut paragraphs = vec![format!("{}.", doc::md(register.title.trim_end_matches('.'))), facts, doc::sentence(&register.doc)];
+    let mut paragraphs =
+        vec![format!("{}.", doc::md(register.title.trim_end_matches('.'))), facts, doc::sentence(&register.doc)];
     paragraphs.extend(text::register_notes(model, register).iter().map(|note| doc::md(note)));
     paragraphs.push(modify_note(register));
     if let Some(reason) = &register.unsafe_write {
@@ -88,12 +89,17 @@ pub(super) fn no_modify_reason(register: &Register, reason: &NoModify) -> (Strin
     match reason {
         NoModify::NotReadWrite => {
             let what = if caps.readable { "read-only" } else { "write-only" };
-            (format!("`{name}` cannot be read-modified-written: it is {what}"), format!("use `{}`", if caps.readable { "read" } else { "write" }))
+            (
+                format!("`{name}` cannot be read-modified-written: it is {what}"),
+                format!("use `{}`", if caps.readable { "read" } else { "write" }),
+            )
         }
         NoModify::OnlyFlags(flags) => {
             let (what, instead) = match (clear, can_request(register)) {
                 (true, _) => ("would be cleared", "use `clear(flags)`: one store that touches only these flags"),
-                (false, true) => ("would be requested again", "use `request(bits)`: one store that makes only these requests"),
+                (false, true) => {
+                    ("would be requested again", "use `request(bits)`: one store that makes only these requests")
+                }
                 (false, false) => ("would be written back", "use `write` with the value you mean"),
             };
             (format!("`{name}` cannot be read-modified-written: {} {what}", list(flags)), instead.to_owned())
@@ -107,7 +113,10 @@ pub(super) fn no_modify_reason(register: &Register, reason: &NoModify) -> (Strin
             },
         ),
         NoModify::NoNeutral(fields) => (
-            format!("`{name}` cannot be read-modified-written: hardware changes {} between the read and the write", list(fields)),
+            format!(
+                "`{name}` cannot be read-modified-written: hardware changes {} between the read and the write",
+                list(fields)
+            ),
             alternatives(register, "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"),
         ),
     }
