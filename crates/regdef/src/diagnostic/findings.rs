@@ -15,8 +15,11 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
-    /// Adds a finding, unless there are too many already.
+    /// Adds a finding, unless it is there already, as for a field that `like` copies, or there are too many.
     pub(crate) fn push(&mut self, finding: Diagnostic) {
+        if self.kept.contains(&finding) {
+            return;
+        }
         let count = match finding.code.severity() {
             Severity::Error => &mut self.errors,
             Severity::Warning => &mut self.warnings,
@@ -24,6 +27,15 @@ impl Findings {
         *count += 1;
         if *count <= MAX_FINDINGS {
             self.kept.push(finding);
+        }
+    }
+
+    /// Changes the last finding, if it is about a place.
+    pub(crate) fn amend(&mut self, at: &Spot, change: impl FnOnce(&mut Diagnostic)) {
+        if let Some(last) = self.kept.last_mut()
+            && last.labels.first().is_some_and(|label| label.at == *at)
+        {
+            change(last);
         }
     }
 
