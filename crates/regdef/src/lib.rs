@@ -27,6 +27,7 @@
 
 mod check;
 pub mod diagnostic;
+pub mod diff;
 mod load;
 mod lower;
 pub mod model;

@@ -51,9 +51,9 @@ impl Lowering<'_> {
             );
         }
         for (key, value) in values.iter().take(MAX_VALUES) {
-            let (value_name, value_doc) = match value {
-                EnumValue::Name(name) => (name, String::new()),
-                EnumValue::Full(full) => (&full.name, full.doc.clone().unwrap_or_default()),
+            let (value_name, value_doc, number) = match value {
+                EnumValue::Name(name) => (name, String::new(), None),
+                EnumValue::Full(full) => (&full.name, full.doc.clone().unwrap_or_default(), full.number.map(|n| n.0)),
             };
             let place = at.key(&key.spelling);
             if key.first > key.last {
@@ -99,6 +99,7 @@ impl Lowering<'_> {
                 doc: value_doc,
                 first: key.first,
                 last: key.last,
+                number,
             });
         }
         variants.sort_by_key(|v| v.first);

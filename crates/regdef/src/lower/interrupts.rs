@@ -70,7 +70,7 @@ impl Lowering<'_> {
                 select,
                 lines: self.line_refs(&source.lines, &at.key("lines"), &line_names),
                 feeds: Vec::new(),
-                code: source.code.map(|v| v.0),
+                code: source.code.as_ref().map(|key| (key.first, key.last)),
                 cleared_by: source.cleared_by.clone().unwrap_or_default(),
                 cites: if cites.is_empty() { self.out.model.field(flag).cites.clone() } else { cites },
             });

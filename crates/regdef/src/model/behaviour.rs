@@ -68,8 +68,8 @@ pub struct InterruptSource {
     pub lines: Vec<LineId>,
     /// The sources it feeds.
     pub feeds: Vec<InterruptId>,
-    /// Its number in the interrupt code field.
-    pub code: Option<u64>,
+    /// First and last of its numbers in the interrupt code field.
+    pub code: Option<(u64, u64)>,
     /// How the flag is cleared where clearing the flag bit is not the way; may be empty.
     pub cleared_by: String,
     /// Where it stands.

@@ -201,6 +201,8 @@ pub struct EnumVariant {
     pub first: u64,
     /// Last value; equal to `first` for a single value.
     pub last: u64,
+    /// The quantity the value stands for, where it is one.
+    pub number: Option<u64>,
 }
 
 impl Enum {

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{Cite, Int, OneOrMany, Range};
+use super::{Cite, Int, OneOrMany, Range, ValueKey};
 
 /// What one state of the registers does to other registers.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -116,9 +116,9 @@ pub struct InterruptSource {
     /// The sources it feeds instead of a line: the next level of a tree.
     #[serde(default)]
     pub feeds: Vec<String>,
-    /// Its number in the interrupt code field.
+    /// Its number in the interrupt code field: `65`, or `"0..31"` for a source that repeats.
     #[serde(default)]
-    pub code: Option<Int>,
+    pub code: Option<ValueKey>,
     /// How the flag is cleared where clearing the flag bit itself is not the way.
     #[serde(default)]
     pub cleared_by: Option<String>,

@@ -174,6 +174,9 @@ pub enum EnumValue {
 pub struct EnumValueFull {
     /// Name, lower case with underscores.
     pub name: String,
+    /// The quantity the value stands for, where it is one: 12 for a code that means 12 buffers.
+    #[serde(default)]
+    pub number: Option<Int>,
     /// What the value means.
     #[serde(default)]
     pub doc: Option<String>,
