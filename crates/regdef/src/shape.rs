@@ -75,7 +75,7 @@ fn explain(error: &ValidationError<'_>, source: &Source, findings: &mut Findings
                         explain(inner, source, findings);
                     }
                 }
-                None => findings.push(wrong_type(&at, error, source)),
+                None => wrong_form(&at, error, source, findings),
             }
         }
         ValidationErrorKind::Minimum { limit } => {
@@ -85,7 +85,7 @@ fn explain(error: &ValidationError<'_>, source: &Source, findings: &mut Findings
             findings.push(out_of_range(&at, source, &format!("at most {limit}")));
         }
         ValidationErrorKind::Enum { .. } | ValidationErrorKind::Type { .. } => {
-            findings.push(wrong_type(&at, error, source));
+            wrong_form(&at, error, source, findings);
         }
         ValidationErrorKind::PropertyNames { error: inner } => {
             let key = inner.instance().as_str().unwrap_or_default().to_owned();
@@ -104,27 +104,27 @@ fn best_branch<'a>(
     at: &Path,
 ) -> Option<&'a Vec<ValidationError<'static>>> {
     let here = |e: &ValidationError<'_>| Path::from_pointer(e.instance_path().as_str()) == *at;
-    let is_type = |e: &ValidationError<'_>| here(e) && matches!(e.kind(), ValidationErrorKind::Type { .. });
-    let mut candidates: Vec<_> =
-        context.iter().filter(|branch| !branch.is_empty() && !branch.iter().any(|e| is_type(e))).collect();
-    candidates.retain(|branch| {
-        !branch.iter().any(|e| {
-            here(e)
-                && matches!(
-                    e.kind(),
-                    ValidationErrorKind::Pattern { .. }
-                        | ValidationErrorKind::Constant { .. }
-                        | ValidationErrorKind::OneOfNotValid { .. }
-                )
-        })
-    });
+    let of_another_form = |e: &ValidationError<'static>| match e.kind() {
+        _ if !here(e) => false,
+        ValidationErrorKind::Type { .. }
+        | ValidationErrorKind::Pattern { .. }
+        | ValidationErrorKind::Constant { .. }
+        | ValidationErrorKind::Enum { .. } => true,
+        ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
+            best_branch(context, at).is_none()
+        }
+        _ => false,
+    };
     // What is wrong at the place itself, such as an unknown key, tells more than what is wrong further inside.
     let here_count = |e: &ValidationError<'_>| match e.kind() {
         _ if !here(e) => 0,
         ValidationErrorKind::AdditionalProperties { unexpected } => unexpected.len(),
         _ => 1,
     };
-    candidates.into_iter().min_by_key(|branch| (branch.iter().map(here_count).sum::<usize>(), branch.len()))
+    context
+        .iter()
+        .filter(|branch| !branch.is_empty() && !branch.iter().any(of_another_form))
+        .min_by_key(|branch| (branch.iter().map(here_count).sum::<usize>(), branch.len()))
 }
 
 fn unknown_key(at: &Path, key: &str, known: &[String]) -> Diagnostic {
@@ -133,6 +133,15 @@ fn unknown_key(at: &Path, key: &str, known: &[String]) -> Diagnostic {
     Diagnostic::new(Code::UnknownKey, Spot::Key(at.key(key)), format!("{} has no key `{key}`", kind_of(at)))
         .label(hint.unwrap_or_else(|| "unknown key".to_owned()))
         .help(format!("the keys here are {known_text}"))
+}
+
+fn wrong_form(at: &Path, error: &ValidationError<'_>, source: &Source, findings: &mut Findings) {
+    let finding = wrong_type(at, error, source);
+    // A number that YAML reads as something that nothing here takes is reported already.
+    let reported = source.range(&finding.labels[0].at).is_some_and(|range| findings.has_at(&range));
+    if !reported {
+        findings.push(finding);
+    }
 }
 
 fn wrong_type(at: &Path, error: &ValidationError<'_>, source: &Source) -> Diagnostic {

@@ -281,6 +281,8 @@ fn enumerations_name_every_value() {
     let names: Vec<_> = mode.variants.iter().map(|v| (v.name.as_str(), v.first, v.last)).collect();
     assert_eq!(names, [("normal", 0, 0), ("disable", 1, 1), ("loopback", 2, 3), ("configuration", 4, 4)]);
     assert_eq!(mode.reserved, [(5, 7)]);
+    let numbers: Vec<_> = mode.variants.iter().map(|v| v.number).collect();
+    assert_eq!(numbers, [None, None, Some(23), None]);
     assert_eq!(mode.variant(3).map(|v| v.name.as_str()), Some("loopback"));
     assert_eq!((mode.variant(5), mode.variant(1).unwrap().doc.as_str()), (None, "No part in the traffic."));
     assert_eq!(mode.used_by, [place(&model, "CTRL1.OPMODE"), place(&model, "CTRL1.REQOP")]);
@@ -395,8 +397,8 @@ fn interrupts_of_groups_and_trees() {
     let access = &interrupts.sources[3];
     assert_eq!((access.cleared_by.as_str(), access.cites[0].section.as_deref()), ("Writing 1.", Some("7.9")));
     let fifo = &interrupts.sources[4];
-    assert_eq!((fifo.feeds.as_slice(), fifo.code), (&[InterruptId(2), InterruptId(5)][..], Some(64)));
-    assert_eq!(interrupts.sources[5].code, Some(0x41));
+    assert_eq!((fifo.feeds.as_slice(), fifo.code), (&[InterruptId(2), InterruptId(5)][..], Some((64, 64))));
+    assert_eq!(interrupts.sources[5].code, Some((0x41, 0x4f)), "a run of codes");
     let line = &interrupts.lines[1];
     assert_eq!((line.name.as_str(), path(line.enable).as_deref(), line.select), ("int1", Some("ILS.EINT1"), Some(1)));
 }

@@ -1,6 +1,8 @@
 //! The list of findings while a file is loaded.
 
-use super::{Code, Diagnostic, Severity, Spot};
+use std::ops::Range;
+
+use super::{Code, Diagnostic, Label, Severity, Spot};
 
 /// Most errors, and most warnings, that are kept: a file that is wrong everywhere is not worth a longer list, and
 /// a hostile one must not fill the memory.
@@ -37,6 +39,13 @@ impl Findings {
         {
             change(last);
         }
+    }
+
+    /// Some finding is about exactly these bytes.
+    pub(crate) fn has_at(&self, range: &Range<usize>) -> bool {
+        self.kept
+            .iter()
+            .any(|finding| matches!(&finding.labels[..], [Label { at: Spot::Bytes(at), .. }, ..] if at == range))
     }
 
     /// Some finding is an error.

@@ -60,6 +60,13 @@ impl Lowering<'_> {
             for (index, target) in source.feeds.iter().enumerate() {
                 feeds.push((sources.len(), target.clone(), at.key("feeds").index(index)));
             }
+            if let Some(code) = source.code.as_ref().filter(|code| code.first > code.last) {
+                let title = format!("the codes of `{name}` end before they start");
+                self.find(
+                    Diagnostic::new(Code::BadRange, Spot::Value(at.key("code")), title)
+                        .label(format!("write \"{}..{}\"", code.last, code.first)),
+                );
+            }
             let field = self.out.model.field(flag);
             numbers.insert(name.clone(), InterruptId(sources.len()));
             sources.push(InterruptSource {

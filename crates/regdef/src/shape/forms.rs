@@ -71,10 +71,11 @@ fn mapping(schema: &Value) -> String {
     let required: Vec<_> =
         schema.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str).collect();
     let Some(keys) = schema.get("properties").and_then(Value::as_object) else { return "a mapping".to_owned() };
-    let needed = keys.keys().filter(|key| required.contains(&key.as_str())).map(|key| format!("{key}: ..."));
-    let needed: Vec<_> = needed.collect();
-    match needed.is_empty() {
-        true => "a mapping".to_owned(),
-        false => format!("a mapping {{{}}}", needed.join(", ")),
+    let needed: Vec<_> =
+        keys.keys().filter(|key| required.contains(&key.as_str())).map(|key| format!("{key}: ...")).collect();
+    if needed.is_empty() {
+        let known: Vec<_> = keys.keys().map(|key| format!("`{key}`")).collect();
+        return format!("a mapping with keys among {}", known.join(", "));
     }
+    format!("a mapping {{{}}}", needed.join(", "))
 }

@@ -308,7 +308,6 @@ impl Walk<'_> {
     }
 
     fn odd(&mut self, odd: Odd, text: &str, range: Range<usize>) {
-        self.broken = true;
         self.findings.push(match odd {
             Odd::Fraction => Diagnostic::new(
                 Code::WrongType,
@@ -415,7 +414,6 @@ mod tests {
             "0..3",
             "1:2",
             "2.3.7",
-            "-",
             "+",
             ".",
             "..",
