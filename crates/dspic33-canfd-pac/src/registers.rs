@@ -944,7 +944,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for TdcH {
 ///
 /// Hazard: Disabling the counter stops and resets it.
 ///
-/// No `modify`: `TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -994,7 +994,7 @@ impl<B: regbus::Bus + crate::guards::TbcLHasNoModify> regbus::Modify<B> for TbcL
 ///
 /// Hazard: Any write to either half resets the prescaler's count, though not the prescaler setting.
 ///
-/// No `modify`: `TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -2507,7 +2507,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for FifobaH {
 ///
 /// Hazard: Writing into a full queue can damage a message that is being sent; check TXQNIF first.
 ///
-/// No `modify`: `TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3454,7 +3454,7 @@ impl<B: regbus::Bus + crate::guards::TrecHHasNoModify> regbus::Modify<B> for Tre
 ///
 /// Errors at the nominal bit rate, simply counted and never decremented. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3518,7 +3518,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag0LHasNoModify> regbus::Modify<B> for B
 ///
 /// Errors at the data bit rate, simply counted and never decremented. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3580,7 +3580,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag0HHasNoModify> regbus::Modify<B> for B
 ///
 /// Number of messages without error since the counter was last cleared. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3626,7 +3626,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag1LHasNoModify> regbus::Modify<B> for B
 ///
 /// Kinds of error seen since the register was last cleared. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -4145,7 +4145,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Canclkcon {
 ///
 /// Hazard: Writing into a full FIFO can damage a message that is being sent; check TFNRFNIF first.
 ///
-/// No `modify`: `FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///

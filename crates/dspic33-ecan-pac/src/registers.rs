@@ -1412,7 +1412,7 @@ impl regbus::Clear for Rxovf {
 ///
 /// Hazard: Write the message to DMA RAM before TXREQ is set.
 ///
-/// No `modify`: `TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///

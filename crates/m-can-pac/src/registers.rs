@@ -550,7 +550,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rwd {
 ///
 /// Hazard: Clearing INIT also clears CCE. Set INIT first, wait until it reads 1, then set CCE in a second write.
 ///
-/// No `modify`: `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -1118,7 +1118,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tscc {
 ///
 /// Hazard: A write to any one of the four bytes resets the counter, even to a byte that holds no bit of it.
 ///
-/// No `modify`: `Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -1244,7 +1244,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tocc {
 ///
 /// Hazard: In Continuous Mode a write to any one of the four bytes presets the counter, even to a byte that holds no bit of it.
 ///
-/// No `modify`: `Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3986,7 +3986,7 @@ impl<B: regbus::Bus + crate::guards::Rxf0sHasNoModify> regbus::Modify<B> for Rxf
 ///
 /// Hazard: Every write moves the get index, a written-back copy too. Write only right after reading elements.
 ///
-/// No `modify`: `Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -4343,7 +4343,7 @@ impl<B: regbus::Bus + crate::guards::Rxf1sHasNoModify> regbus::Modify<B> for Rxf
 ///
 /// Hazard: Every write moves the get index, a written-back copy too. Write only right after reading elements.
 ///
-/// No `modify`: `Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -5518,7 +5518,7 @@ impl<B: regbus::Bus + crate::guards::TxefsHasNoModify> regbus::Modify<B> for Txe
 ///
 /// Hazard: Every write moves the get index, a written-back copy too. Write only right after reading elements.
 ///
-/// No `modify`: `Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
