@@ -25,6 +25,7 @@ use crate::text;
 use layout::Layout;
 use write::Writer;
 
+pub use microchip::BitField;
 pub use names::Names;
 
 /// What every part of the header needs.
@@ -38,7 +39,13 @@ struct Context<'m> {
     upper: String,
 }
 
-impl Context<'_> {
+impl<'m> Context<'m> {
+    fn new(model: &'m Model) -> Self {
+        let upper = model.names.ident.upper.clone();
+        let (names, layout) = (Names::new(model), Layout::new(model));
+        Self { model, names, layout, lower: upper.to_ascii_lowercase(), upper }
+    }
+
     /// The type of the register block.
     fn block(&self) -> String {
         format!("{}_regs_t", self.lower)
@@ -48,14 +55,7 @@ impl Context<'_> {
 /// The controller as a C header.
 #[must_use]
 pub fn header(model: &Model) -> String {
-    let upper = model.names.ident.upper.clone();
-    let context = Context {
-        model,
-        names: Names::new(model),
-        layout: Layout::new(model),
-        lower: upper.to_ascii_lowercase(),
-        upper,
-    };
+    let context = Context::new(model);
     let mut out = Writer::default();
     prologue(&context, &mut out);
     enums::emit(&context, &mut out);
@@ -72,6 +72,12 @@ pub fn header(model: &Model) -> String {
     out.blank();
     out.line(&format!("#endif /* {}_H */", context.upper));
     out.finish()
+}
+
+/// The fields of the manufacturer's bit-field views; empty for a controller without them.
+#[must_use]
+pub fn bit_fields(model: &Model) -> Vec<BitField> {
+    microchip::bit_fields(&Context::new(model))
 }
 
 fn prologue(context: &Context<'_>, out: &mut Writer) {

@@ -67,6 +67,12 @@ fn harmless(text: &str) -> String {
     text.chars().map(|c| if c == '\\' { '/' } else { c }).filter(|c| !c.is_control()).collect()
 }
 
+/// A comment behind a line; empty without text.
+pub(super) fn remark(text: &str) -> String {
+    let text = harmless(text);
+    if text.is_empty() { text } else { format!(" /* {text} */") }
+}
+
 fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();

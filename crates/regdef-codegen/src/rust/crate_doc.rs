@@ -9,22 +9,16 @@ use crate::text;
 
 pub(super) fn lib(model: &Model) -> TokenStream {
     let front = doc::inner(&front_page(model));
-    let messages = (!model.messages.is_empty()).then(|| {
-        quote!(
-            
-        )
-    });
-    let instances = (!model.instances.is_empty()).then(|| {
-        quote!(
-            
-        )
-    });
+    // The attribute stands in a literal of its own: rustfmt obeys it even inside a macro.
+    let skip: TokenStream = "#[rustfmt::skip]".parse().expect("an attribute is a token stream");
+    let messages = (!model.messages.is_empty()).then(|| quote!(#skip pub mod messages;));
+    let instances = (!model.instances.is_empty()).then(|| quote!(#skip pub mod instances;));
     let peripheral = ident(&model.names.ident.pascal);
     let clusters = model.clusters.iter().map(|c| ident(&c.ident.pascal));
     let resting = super::peripheral::resting_window(model);
     let windows = model.windows.iter().enumerate().filter(|(index, _)| resting.is_none_or(|id| id.0 != *index));
     let windows = windows.map(|(_, w)| ident(&format!("{}Window", w.ident.pascal)));
-    let notes = notes(model);
+    let notes = notes(model).map(|module| quote!(#skip #module));
     quote! {
         #front
         #![no_std]
@@ -37,22 +31,22 @@ pub(super) fn lib(model: &Model) -> TokenStream {
             reason = "one form of body serves all widths"
         )]
 
-        #[rustfmt::skip]
+        #skip
         pub mod enums;
-        #[rustfmt::skip]
+        #skip
         pub mod guards;
         #instances
         #notes
         #messages
         #[cfg(feature = "meta")]
-        #[rustfmt::skip]
+        #skip
         pub mod meta;
-        #[rustfmt::skip]
+        #skip
         mod peripheral;
-        #[rustfmt::skip]
+        #skip
         pub mod registers;
 
-        #[rustfmt::skip]
+        #skip
         pub use peripheral::{#peripheral, #(#clusters,)* #(#windows,)*};
         pub use regbus::{Bus, Mmio, Reg};
     }
@@ -149,7 +143,7 @@ fn notes(model: &Model) -> Option<TokenStream> {
         }
     }
     let docs = doc::inner(out.trim_end());
-    Some(quote!(#[rustfmt::skip] pub mod manual_notes { #docs }))
+    Some(quote!(pub mod manual_notes { #docs }))
 }
 
 fn targets(model: &Model, at: &[Target]) -> String {

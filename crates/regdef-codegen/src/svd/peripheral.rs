@@ -115,7 +115,7 @@ fn cluster(model: &Model, shared: &mut Shared, id: ClusterId) -> Result<Register
     let cluster = &model.clusters[id.0];
     let (name, dim) = name::array(&cluster.name, &cluster.dim)?;
     let mut members = Vec::new();
-    shared.enter(&name);
+    shared.enter(&name, false);
     for (register, _) in model.cluster_registers(id) {
         add_register(model, shared, register, &mut members)?;
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::Field;
 use crate::path::Path;
@@ -10,11 +10,12 @@ use crate::path::Path;
 /// Names the generated Rust needs for itself.
 const TYPES: [&str; 12] =
     ["Reg", "Mmio", "Bus", "Register", "Readable", "Writable", "Modify", "Clear", "Request", "Pure", "Alias", "Word"];
-const METHODS: [&str; 10] = ["bits", "from_bits", "contains", "is_empty", "reset", "eq", "fmt", "clone", "read", "write"];
+const METHODS: [&str; 10] =
+    ["bits", "from_bits", "contains", "is_empty", "reset", "eq", "fmt", "clone", "read", "write"];
 
 struct Names<'a> {
     seen: HashMap<String, (String, Path)>,
-    findings: &'a mut Vec<Diagnostic>,
+    findings: &'a mut Findings,
 }
 
 impl Names<'_> {
@@ -41,7 +42,7 @@ impl Names<'_> {
     }
 }
 
-pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn clashes(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     types(lowered, findings);
     let mut methods = Names { seen: HashMap::new(), findings };
@@ -57,7 +58,9 @@ pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     for (id, cluster) in model.clusters.iter().enumerate() {
         let base = Path::root().key("clusters").key(&cluster.name);
         let mut members = Names { seen: HashMap::new(), findings };
-        for (index, register) in model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_some_and(|c| c.0 == id)) {
+        for (index, register) in
+            model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_some_and(|c| c.0 == id))
+        {
             let ident = register.ident.within(&cluster.ident);
             members.add(&ident.snake, &register.name, &lowered.registers[index].path);
         }
@@ -76,7 +79,7 @@ pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn types(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+fn types(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     let mut types = Names { seen: HashMap::new(), findings };
     types.reserve(&TYPES, "a type of the generated code");
@@ -103,7 +106,7 @@ fn types(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn fields(fields: &[Field], paths: &[Path], findings: &mut Vec<Diagnostic>) {
+fn fields(fields: &[Field], paths: &[Path], findings: &mut Findings) {
     let mut names = Names { seen: HashMap::new(), findings };
     names.reserve(&METHODS, "a method of every register value");
     for (field, path) in fields.iter().zip(paths) {

@@ -14,6 +14,9 @@ impl Int {
     /// Reads the spelling of an integer; `None` if it is not one or exceeds 64 bits.
     #[must_use]
     pub fn parse(text: &str) -> Option<u64> {
+        if !text.starts_with(|c: char| c.is_ascii_digit()) || text.contains(['+', '-']) {
+            return None;
+        }
         let digits = text.replace('_', "");
         match digits.get(..2) {
             Some("0x" | "0X") => u64::from_str_radix(&digits[2..], 16).ok(),
