@@ -42,8 +42,8 @@ fn the_descriptions_are_complete() {
     // The manual's own counts: M_CAN Table 1 has 47 registers, ECAN Tables 3-1 to 3-8 have 65, PIC32 has 181.
     let physical = |name: &str| of(name).registers.iter().filter(|r| r.offset.is_some()).map(RegisterInfo::count).sum::<u32>();
     assert_eq!(physical("m_can"), 47);
+    assert_eq!(physical("dspic33_ecan"), 65);
     assert_eq!(physical("pic32_can"), 181);
-    assert!(holders().iter().map(|(_, _, fields)| fields.len()).sum::<usize>() > 1000);
 }
 
 #[test]

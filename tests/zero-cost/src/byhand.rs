@@ -25,9 +25,11 @@ pub(crate) fn check(index: usize, first: usize, count: usize, what: &'static str
     index - first
 }
 
+/// Visible from outside, so that the compiler cannot fold the one message in.
 #[cold]
 #[inline(never)]
 #[track_caller]
-fn refuse(what: &'static str) -> ! {
+#[unsafe(no_mangle)]
+pub fn refuse(what: &'static str) -> ! {
     panic!("{}", what)
 }

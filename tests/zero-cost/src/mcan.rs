@@ -100,7 +100,8 @@ pub unsafe fn hand_m_can_request(base: usize) {
     unsafe { put32(base, 0xD0, 1 << 3) }
 }
 
-// claims m_can_message_words store32=4
+// Words only: a byte access can corrupt the rest of the word in Message RAM.
+// never m_can_message_words store8 store16 store?
 #[unsafe(no_mangle)]
 pub unsafe fn pac_m_can_message_words(memory: usize, id: u16, data: &[u8; 8]) {
     let element = TxBuffer::new(unsafe { Mmio::new(memory) }, 0x80);
@@ -114,7 +115,10 @@ pub unsafe fn hand_m_can_message_words(memory: usize, id: u16, data: &[u8; 8]) {
     unsafe {
         put32(memory, 0x80, u32::from(id & 0x7FF) << 18);
         put32(memory, 0x84, 8 << 16);
-        put32(memory, 0x88, u32::from_le_bytes([data[0], data[1], data[2], data[3]]));
-        put32(memory, 0x8C, u32::from_le_bytes([data[4], data[5], data[6], data[7]]));
+        let mut at = 0x88;
+        for word in data.chunks_exact(4) {
+            put32(memory, at, u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
+            at += 4;
+        }
     }
 }
