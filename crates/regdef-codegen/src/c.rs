@@ -86,7 +86,10 @@ fn prologue(context: &Context<'_>, out: &mut Writer) {
     out.comment(&[
         format!("{}: registers and message layouts.", model.title),
         text::one_line(&model.doc),
-        text::sentence(&format!("Described after {}, {}, revision {}", manual.title, manual.publisher, manual.revision)),
+        text::sentence(&format!(
+            "Described after {}, {}, revision {}",
+            manual.title, manual.publisher, manual.revision
+        )),
         "Generated from the description of the controller; changes belong there.".to_owned(),
         format!(
             "C99 or C++11. A field FIELD of a register REG has {upper}_REG_FIELD_Pos, _Msk, _Width and _Access; a \

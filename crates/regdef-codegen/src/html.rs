@@ -57,14 +57,16 @@ impl Site<'_> {
     }
 
     fn page(&mut self, path: &str, template: &str, title: &str, more: Value) {
-        let controllers: Vec<_> = self.books.iter().map(|b| context! { id => b.folder(), title => b.model.title.clone() }).collect();
+        let controllers: Vec<_> =
+            self.books.iter().map(|b| context! { id => b.folder(), title => b.model.title.clone() }).collect();
         let root = if path.contains('/') { "../" } else { "" };
         let here = path.rsplit('/').next();
         let defaults = context! { nav => (), controller => () };
         // What stands last wins.
         let page = merge_maps([defaults, more, context! { root, here, page_title => title, controllers }]);
         let template = self.templates.get_template(template).expect("the template is one of those added below");
-        let content = template.render(page).expect("a template uses only what its page gives it; the tests render every page");
+        let content =
+            template.render(page).expect("a template uses only what its page gives it; the tests render every page");
         self.files.push(OutputFile { path: path.to_owned(), content });
     }
 
@@ -115,13 +117,35 @@ macro_rules! add_templates {
 fn templates() -> Environment<'static> {
     let mut env = Environment::new();
     env.set_undefined_behavior(UndefinedBehavior::Strict);
-    env.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build().expect("the delimiters are the usual ones"));
+    env.set_syntax(
+        SyntaxConfig::builder()
+            .trim_blocks(true)
+            .lstrip_blocks(true)
+            .build()
+            .expect("the delimiters are the usual ones"),
+    );
     // Every template is a page, so everything it puts out is escaped.
     env.set_auto_escape_callback(|_| minijinja::AutoEscape::Html);
+    env.add_filter("code", |text: &str| text::safe(text::code(text)));
     add_templates!(
-        env, "page.html", "macros.html", "index.html", "overview.html", "register.html", "interrupts.html", "messages.html",
-        "memory.html", "timing.html", "enums.html", "conditions.html", "effects.html", "joined.html", "chips.html",
-        "conflicts.html", "choices.html", "language.html",
+        env,
+        "page.html",
+        "macros.html",
+        "index.html",
+        "overview.html",
+        "register.html",
+        "interrupts.html",
+        "messages.html",
+        "memory.html",
+        "timing.html",
+        "enums.html",
+        "conditions.html",
+        "effects.html",
+        "joined.html",
+        "chips.html",
+        "conflicts.html",
+        "choices.html",
+        "language.html",
     );
     env
 }

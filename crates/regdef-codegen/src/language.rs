@@ -24,9 +24,12 @@ pub fn page() -> String {
     let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
     env.set_syntax(syntax.expect("the delimiters are the usual ones"));
     env.add_filter("cell", |text: &str| text.replace('|', "\\|").replace('\n', " "));
-    env.add_template("language.md", include_str!("../templates/language/language.md")).expect("language.md is well-formed");
+    env.add_template("language.md", include_str!("../templates/language/language.md"))
+        .expect("language.md is well-formed");
     let template = env.get_template("language.md").expect("added above");
-    template.render(context! { language => view() }).expect("the template uses only what `view` gives; a test renders it")
+    template
+        .render(context! { language => view() })
+        .expect("the template uses only what `view` gives; a test renders it")
 }
 
 /// What both forms of the reference show: plain text, nothing escaped.
@@ -42,7 +45,8 @@ pub(crate) fn view() -> Value {
         example => EXAMPLE,
         types => schema::types().iter().map(TypeDoc::view).collect::<Vec<_>>(),
         access => AccessCode::ALL.into_iter().map(|code| context! {
-            code => code.as_str(), meaning => code.meaning(), readable => yes(code.readable()), writable => yes(code.writable()),
+            code => code.as_str(), meaning => code.meaning(), readable => yes(code.readable()),
+            writable => yes(code.writable()),
             neutral => neutral(code),
         }).collect::<Vec<_>>(),
         diagnostics => Code::ALL.iter().map(|code| context! {
@@ -62,7 +66,11 @@ pub(crate) fn search_entries() -> Vec<(String, String, String)> {
         all.push((one.name, url, one.doc));
     }
     for code in AccessCode::ALL {
-        all.push((code.as_str().to_owned(), format!("language.html#access-{}", code.as_str()), code.meaning().to_owned()));
+        all.push((
+            code.as_str().to_owned(),
+            format!("language.html#access-{}", code.as_str()),
+            code.meaning().to_owned(),
+        ));
     }
     for code in Code::ALL {
         let url = format!("language.html#{}", code.as_str().to_ascii_lowercase());

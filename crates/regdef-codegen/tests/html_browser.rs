@@ -45,7 +45,8 @@ static SEEN: LazyLock<Vec<String>> = LazyLock::new(|| {
         fs::write(path, file.content).expect("the file can be written");
     }
     let harness = folder.path().join("harness.html");
-    fs::write(&harness, HARNESS.replace("VISITS", &serde_json::json!(VISITS).to_string())).expect("the file can be written");
+    fs::write(&harness, HARNESS.replace("VISITS", &serde_json::json!(VISITS).to_string()))
+        .expect("the file can be written");
     let output = Command::new("chromium")
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"])
         .args(["--disable-background-networking", "--disable-component-update", "--disable-sync", "--dump-dom"])
@@ -69,7 +70,9 @@ fn visit(page: &str) -> Html {
 
 fn texts(page: &Html, selector: &str) -> Vec<String> {
     let selector = Selector::parse(selector).unwrap_or_else(|e| panic!("{selector}: {e}"));
-    page.select(&selector).map(|e| e.text().collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+    page.select(&selector)
+        .map(|e| e.text().collect::<String>().split_whitespace().collect::<Vec<_>>().join(" "))
+        .collect()
 }
 
 #[test]
@@ -99,7 +102,9 @@ fn a_value_is_decoded_into_fields() {
     // 0x0725: OPMOD 1 is in the run `listen`, REQOP 7 has a name, bit 2 belongs to no field, FORM is 1.
     let page = visit("values/con.html?value=0x0725");
     let fields = texts(&page, ".decode .field");
-    let says = |name: &str| fields.iter().find(|f| f.starts_with(name)).unwrap_or_else(|| panic!("{name}: {fields:?}")).clone();
+    let says = |name: &str| {
+        fields.iter().find(|f| f.starts_with(name)).unwrap_or_else(|| panic!("{name}: {fields:?}")).clone()
+    };
     assert!(says("OPMOD [7:5]").ends_with("listen: Silent."), "{fields:?}");
     assert!(says("REQOP [10:8]").ends_with("listen_all"), "{fields:?}");
     assert!(says("FORM [0]").ends_with("other"), "{fields:?}");
@@ -144,13 +149,20 @@ fn the_theme_can_be_chosen() {
     assert!(visit("index.html?theme=dark").select(&dark).next().is_some());
     assert!(visit("index.html?theme=nonsense").select(&dark).next().is_none());
     let light = Selector::parse("html[data-theme='light']").expect("a selector");
-    assert!(visit("values/cfg.html").select(&light).next().is_some(), "the button goes from the system's choice to light");
+    assert!(
+        visit("values/cfg.html").select(&light).next().is_some(),
+        "the button goes from the system's choice to light"
+    );
 }
 
 #[test]
 fn the_keyboard_reaches_search_and_its_matches() {
     let page = visit("windows/ctrl.html");
-    assert_eq!(texts(&page, "#site-search[data-focused][aria-expanded='true']").len(), 1, "`/` did not focus the search");
+    assert_eq!(
+        texts(&page, "#site-search[data-focused][aria-expanded='true']").len(),
+        1,
+        "`/` did not focus the search"
+    );
     let chosen = Selector::parse("#site-results a[aria-selected='true']").expect("a selector");
     let ids: Vec<_> = page.select(&chosen).map(|hit| hit.attr("id").unwrap_or_default()).collect();
     assert_eq!(ids, ["site-hit-1"], "the arrow did not move to the second match");
@@ -159,7 +171,10 @@ fn the_keyboard_reaches_search_and_its_matches() {
 #[test]
 fn fields_set_the_value_and_a_button_resets_it() {
     // ON is the only bit that is 1 after reset.
-    assert_eq!(texts(&visit("aliases/con.html"), ".decode .forms"), ["0x00000000 · 0 · 0b0000_0000_0000_0000_0000_0000_0000_0000"]);
+    assert_eq!(
+        texts(&visit("aliases/con.html"), ".decode .forms"),
+        ["0x00000000 · 0 · 0b0000_0000_0000_0000_0000_0000_0000_0000"]
+    );
     // Bit 0 is 1 after reset and toggled, bits 15:12 do not take 16.
     let page = visit("values/cfg.html");
     assert_eq!(texts(&page, ".decode .forms"), ["0x0100 · 256 · 0b0000_0001_0000_0000"]);

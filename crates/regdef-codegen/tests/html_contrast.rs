@@ -11,7 +11,8 @@ fn colours(start: &str) -> HashMap<String, [f64; 3]> {
     let mut all = HashMap::new();
     for part in block.split(';') {
         let Some((name, value)) = part.trim().split_once(": #") else { continue };
-        let channel = |at: usize| f64::from(u8::from_str_radix(&value[at..at + 2], 16).expect("six hexadecimal digits")) / 255.0;
+        let channel =
+            |at: usize| f64::from(u8::from_str_radix(&value[at..at + 2], 16).expect("six hexadecimal digits")) / 255.0;
         all.insert(name.trim_start_matches("--").to_owned(), [channel(0), channel(2), channel(4)]);
     }
     all
@@ -35,7 +36,14 @@ fn text_can_be_read_on_every_ground_it_stands_on() {
         pairs.extend([(text, "bg"), (text, "panel")]);
     }
     pairs.extend([("bad", "bad-bg"), ("warn", "warn-bg"), ("ext", "ext-bg"), ("text", "warn-bg"), ("link", "warn-bg")]);
-    pairs.extend([("text", "bad-bg"), ("link", "bad-bg"), ("text", "hit"), ("dim", "hit"), ("bg", "accent"), ("dim", "rw")]);
+    pairs.extend([
+        ("text", "bad-bg"),
+        ("link", "bad-bg"),
+        ("text", "hit"),
+        ("dim", "hit"),
+        ("bg", "accent"),
+        ("dim", "rw"),
+    ]);
     for theme in [":root {", ":root[data-theme=\"dark\"] {"] {
         let colours = colours(theme);
         for (text, ground) in &pairs {

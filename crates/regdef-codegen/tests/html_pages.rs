@@ -1,7 +1,8 @@
 //! What the pages say about small descriptions, one per feature of the language: the content of every page in a
 //! plain notation, so that a change of what a reader sees is a change of a snapshot.
 //!
-//! `[text](address)` is a link, `{rw NAME[7:0] rw*}` a field of a diagram with the class of its colour, `#id` an anchor.
+//! `[text](address)` is a link, `{rw NAME[7:0] rw*}` a field of a diagram with the class of its colour, `#id` an
+//! anchor.
 
 mod common;
 
@@ -41,7 +42,8 @@ fn outline(element: ElementRef<'_>, out: &mut String) {
                 outline(inner, out);
                 out.push_str(" | ");
             }
-            "h1" | "h2" | "h3" | "p" | "tr" | "li" | "dl" | "ul" | "table" | "section" | "aside" | "figure" | "details" | "div" => {
+            "h1" | "h2" | "h3" | "p" | "tr" | "li" | "dl" | "ul" | "table" | "section" | "aside" | "figure"
+            | "details" | "div" => {
                 line(out);
                 if let Some(id) = inner.attr("id") {
                     let _ = write!(out, "#{id} ");
@@ -71,7 +73,8 @@ fn diagram(svg: ElementRef<'_>, out: &mut String) {
     let class = Selector::parse("rect").expect("a selector");
     let (mut cells, mut reset) = (Vec::new(), String::new());
     for element in svg.select(&texts) {
-        let text: Vec<_> = element.children().filter_map(ElementRef::wrap).filter(|e| e.value().name() == "text").collect();
+        let text: Vec<_> =
+            element.children().filter_map(ElementRef::wrap).filter(|e| e.value().name() == "text").collect();
         match element.value().name() {
             "a" => {
                 let kind = element.select(&class).next().and_then(|rect| rect.attr("class")).unwrap_or_default();
@@ -91,7 +94,8 @@ fn pages_of_each_feature() {
     let main = Selector::parse("main").expect("a selector");
     for (name, model) in common::features() {
         let mut all = String::new();
-        for file in site(&[&model]).iter().filter(|f| f.path.starts_with(&model.names.id) && f.path.ends_with(".html")) {
+        for file in site(&[&model]).iter().filter(|f| f.path.starts_with(&model.names.id) && f.path.ends_with(".html"))
+        {
             let page = Html::parse_document(&file.content);
             let _ = writeln!(all, "\n=== {}", file.path);
             let main = page.select(&main).next().expect("every page has its content in `main`");

@@ -109,7 +109,8 @@ fn the_search_index_names_everything_and_resolves() {
     let anchors: HashMap<&str, HashSet<&str>> = pages.iter().map(|(path, page)| (*path, ids(page, path))).collect();
     let index = files.iter().find(|f| f.path == "assets/search.js").expect("the site has a search index");
     let json = index.content.trim().strip_prefix("window.REGDEF_INDEX=").and_then(|t| t.strip_suffix(';'));
-    let index: serde_json::Value = serde_json::from_str(json.expect("the index is one assignment")).expect("the index is JSON");
+    let index: serde_json::Value =
+        serde_json::from_str(json.expect("the index is one assignment")).expect("the index is JSON");
     let mut names = HashSet::new();
     for entry in index["entries"].as_array().expect("entries") {
         let (target, anchor) = resolve("index.html", entry[4].as_str().expect("an address"));

@@ -19,7 +19,8 @@ fn the_page_explains_every_code_and_key() {
         assert!(page.contains(&format!("| `{}` | ", code.as_str())), "{} is missing", code.as_str());
     }
     let schema = regdef::schema();
-    let definitions = schema["$defs"].as_object().into_iter().flatten().filter(|(name, _)| !name.starts_with("OneOrMany"));
+    let definitions =
+        schema["$defs"].as_object().into_iter().flatten().filter(|(name, _)| !name.starts_with("OneOrMany"));
     let all = definitions.map(|(_, one)| one).chain([&schema]);
     for (key, _) in all.filter_map(|one| one["properties"].as_object()).flatten() {
         assert!(page.contains(&format!("| `{key}` | ")), "the key {key} is missing");

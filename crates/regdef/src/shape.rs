@@ -1,15 +1,17 @@
 //! The shape of a description against the schema that is derived from the language's types.
 
+mod forms;
+
 use std::sync::LazyLock;
 
-use jsonschema::error::{TypeKind, ValidationErrorKind};
+use jsonschema::error::ValidationErrorKind;
 use jsonschema::{ValidationError, Validator};
 use serde_json::Value;
 
 use crate::diagnostic::{Code, Diagnostic, Findings, Spot, suggestion};
 use crate::path::Path;
 use crate::source::Source;
-use crate::syntax::Description;
+use crate::syntax::{Description, Int};
 
 /// The JSON schema of the language, for editors and for the check of shape.
 #[must_use]
@@ -73,10 +75,7 @@ fn explain(error: &ValidationError<'_>, source: &Source, findings: &mut Findings
                         explain(inner, source, findings);
                     }
                 }
-                None => {
-                    let help = expectation(error);
-                    findings.push(wrong_type(&at, error.instance(), source).maybe_help(help));
-                }
+                None => wrong_form(&at, error, source, findings),
             }
         }
         ValidationErrorKind::Minimum { limit } => {
@@ -85,25 +84,14 @@ fn explain(error: &ValidationError<'_>, source: &Source, findings: &mut Findings
         ValidationErrorKind::Maximum { limit } => {
             findings.push(out_of_range(&at, source, &format!("at most {limit}")));
         }
-        ValidationErrorKind::Enum { options } => {
-            let options: Vec<_> =
-                options.as_array().into_iter().flatten().map(|o| o.as_str().unwrap_or_default()).collect();
-            findings.push(bad_choice(&at, error.instance(), &options, source));
-        }
-        ValidationErrorKind::Type { kind } => {
-            let expected = match kind {
-                TypeKind::Single(one) => article(&one.to_string()),
-                TypeKind::Multiple(many) => {
-                    many.iter().map(|t| article(&t.to_string())).collect::<Vec<_>>().join(" or ")
-                }
-            };
-            findings.push(wrong_type(&at, error.instance(), source).help(format!("this has to be {expected}")));
+        ValidationErrorKind::Enum { .. } | ValidationErrorKind::Type { .. } => {
+            wrong_form(&at, error, source, findings);
         }
         ValidationErrorKind::PropertyNames { error: inner } => {
             let key = inner.instance().as_str().unwrap_or_default().to_owned();
             findings.push(
                 Diagnostic::new(Code::WrongType, Spot::Key(at.key(&key)), format!("`{key}` cannot be a key here"))
-                    .maybe_help(expectation(inner)),
+                    .help(format!("a key here is {}", forms::of(schema_of(inner)).join(" or "))),
             );
         }
         _ => findings.push(Diagnostic::new(Code::WrongType, Spot::Value(at), error.to_string())),
@@ -116,12 +104,27 @@ fn best_branch<'a>(
     at: &Path,
 ) -> Option<&'a Vec<ValidationError<'static>>> {
     let here = |e: &ValidationError<'_>| Path::from_pointer(e.instance_path().as_str()) == *at;
-    let is_type = |e: &ValidationError<'_>| here(e) && matches!(e.kind(), ValidationErrorKind::Type { .. });
-    let mut candidates: Vec<_> =
-        context.iter().filter(|branch| !branch.is_empty() && !branch.iter().any(|e| is_type(e))).collect();
-    candidates
-        .retain(|branch| !branch.iter().any(|e| here(e) && matches!(e.kind(), ValidationErrorKind::Pattern { .. })));
-    candidates.into_iter().min_by_key(|branch| branch.len())
+    let of_another_form = |e: &ValidationError<'static>| match e.kind() {
+        _ if !here(e) => false,
+        ValidationErrorKind::Type { .. }
+        | ValidationErrorKind::Pattern { .. }
+        | ValidationErrorKind::Constant { .. }
+        | ValidationErrorKind::Enum { .. } => true,
+        ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
+            best_branch(context, at).is_none()
+        }
+        _ => false,
+    };
+    // What is wrong at the place itself, such as an unknown key, tells more than what is wrong further inside.
+    let here_count = |e: &ValidationError<'_>| match e.kind() {
+        _ if !here(e) => 0,
+        ValidationErrorKind::AdditionalProperties { unexpected } => unexpected.len(),
+        _ => 1,
+    };
+    context
+        .iter()
+        .filter(|branch| !branch.is_empty() && !branch.iter().any(of_another_form))
+        .min_by_key(|branch| (branch.iter().map(here_count).sum::<usize>(), branch.len()))
 }
 
 fn unknown_key(at: &Path, key: &str, known: &[String]) -> Diagnostic {
@@ -132,30 +135,46 @@ fn unknown_key(at: &Path, key: &str, known: &[String]) -> Diagnostic {
         .help(format!("the keys here are {known_text}"))
 }
 
-fn bad_choice(at: &Path, found: &Value, options: &[&str], source: &Source) -> Diagnostic {
-    let list = options.iter().map(|o| format!("`{o}`")).collect::<Vec<_>>().join(", ");
-    Diagnostic::new(
-        Code::WrongType,
-        Spot::Value(at.clone()),
-        format!("{} is no value of `{}`", written(at, source), at.last()),
-    )
-    .label(found.as_str().and_then(|s| suggestion(s, options.iter().copied())).unwrap_or_default())
-    .help(format!("it can be {list}"))
+fn wrong_form(at: &Path, error: &ValidationError<'_>, source: &Source, findings: &mut Findings) {
+    let finding = wrong_type(at, error, source);
+    // A number that YAML reads as something that nothing here takes is reported already.
+    let reported = source.range(&finding.labels[0].at).is_some_and(|range| findings.has_at(&range));
+    if !reported {
+        findings.push(finding);
+    }
 }
 
-fn wrong_type(at: &Path, found: &Value, source: &Source) -> Diagnostic {
+fn wrong_type(at: &Path, error: &ValidationError<'_>, source: &Source) -> Diagnostic {
+    let found = error.instance().as_ref();
+    if *at == Path::root() {
+        return Diagnostic::new(
+            Code::WrongType,
+            Spot::Value(at.clone()),
+            "the file holds no mapping of keys and values",
+        )
+        .help("start with `controller: NAME`; the language's reference page has a worked example");
+    }
     let name = at.last();
-    let title = match found {
-        _ if *at == Path::root() => "the file holds no mapping of keys and values".to_owned(),
-        Value::Null => format!("`{name}` has no value"),
-        Value::Object(_) => format!("a mapping is no value of `{name}`"),
-        Value::Array(_) => format!("a list is no value of `{name}`"),
-        _ => format!("{} is no value of `{name}`", written(at, source)),
+    let name = if name.bytes().all(|b| b.is_ascii_digit()) { at.parent().last() } else { name };
+    let (title, spot) = match found {
+        Value::Null => (format!("`{name}` has no value"), Spot::Key(at.clone())),
+        Value::Object(_) => (format!("a mapping is no value of `{name}`"), Spot::Value(at.clone())),
+        Value::Array(_) => (format!("a list is no value of `{name}`"), Spot::Value(at.clone())),
+        _ => (format!("`{}` is no value of `{name}`", text_at(at, source)), Spot::Value(at.clone())),
     };
-    let spot = if *found == Value::Null { Spot::Key(at.clone()) } else { Spot::Value(at.clone()) };
-    let quote = matches!(found, Value::Number(_) | Value::Bool(_))
-        .then(|| format!("if text is meant, write \"{}\"", text_at(at, source)));
-    Diagnostic::new(Code::WrongType, spot, title).label(quote.unwrap_or_default())
+    let forms = forms::of(schema_of(error));
+    let words: Vec<&str> = forms.iter().flat_map(|form| form.split('`').skip(1).step_by(2)).collect();
+    let label = match found {
+        Value::Number(_) | Value::Bool(_) if forms.iter().any(|form| form == forms::TEXT) => {
+            format!("write \"{}\" if text is meant", text_at(at, source))
+        }
+        Value::String(text) if forms.iter().any(|form| form == forms::WHOLE) && Int::parse(text).is_some() => {
+            format!("write {} without quotes and underscores", text.replace('_', ""))
+        }
+        Value::String(text) => suggestion(text, words.iter().copied()).unwrap_or_default(),
+        _ => String::new(),
+    };
+    Diagnostic::new(Code::WrongType, spot, title).label(label).help(format!("it has to be {}", forms.join(", or ")))
 }
 
 fn out_of_range(at: &Path, source: &Source, limit: &str) -> Diagnostic {
@@ -166,21 +185,6 @@ fn out_of_range(at: &Path, source: &Source, limit: &str) -> Diagnostic {
 /// A scalar as its author wrote it, quotes included.
 fn text_at<'a>(at: &Path, source: &'a Source) -> &'a str {
     source.range(&Spot::Value(at.clone())).map_or("", |range| &source.text()[range])
-}
-
-fn written(at: &Path, source: &Source) -> String {
-    format!("`{}`", text_at(at, source))
-}
-
-fn article(json_type: &str) -> String {
-    match json_type {
-        "string" => "text".to_owned(),
-        "object" => "a mapping".to_owned(),
-        "array" => "a list".to_owned(),
-        "integer" => "a whole number".to_owned(),
-        "boolean" => "`true` or `false`".to_owned(),
-        other => format!("a {other}"),
-    }
 }
 
 /// The mapping a path ends in, in words: "the register `CCCR`".
@@ -250,10 +254,5 @@ fn keys_at(error: &ValidationError<'_>, member: &str) -> Vec<String> {
 
 fn description_of(error: &ValidationError<'_>, key: &str) -> Option<String> {
     let text = schema_of(error)?.get("properties")?.get(key)?.get("description")?.as_str()?;
-    Some(text.replace('\n', " "))
-}
-
-fn expectation(error: &ValidationError<'_>) -> Option<String> {
-    let text = schema_of(error)?.get("description")?.as_str()?;
     Some(text.replace('\n', " "))
 }

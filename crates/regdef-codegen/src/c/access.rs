@@ -2,10 +2,10 @@
 
 use regdef::model::{AliasOp, Model, Neutral, NoModify, Register, RegisterId, WriteEffect};
 
+use super::Context;
 use super::layout::Reach;
 use super::literal::{ctype, hex};
 use super::write::Writer;
-use super::Context;
 
 /// How functions reach a register.
 pub(super) struct Target {
@@ -104,13 +104,13 @@ fn flags(out: &mut Writer, register: &Register, target: &Target, stem: &str) {
     if clearable(register) {
         let mut terms = Vec::new();
         if can.one_clears != 0 {
-            terms.push(format!("(flags & {})", literal(can.one_clears)));
+            terms.push(format!("flags & {}", literal(can.one_clears)));
         }
         if can.neutral_ones != 0 {
-            terms.push(format!("({} & ({container})~flags)", literal(can.neutral_ones)));
+            terms.push(format!("{} & ({container})~flags", literal(can.neutral_ones)));
         }
         out.comment(&["Clears the given flags and no others: one store, no read.".to_owned()]);
-        let body = with(target, format!("{} = ({container})({});", target.lvalue, terms.join(" | ")));
+        let body = with(target, format!("{} = ({container})({});", target.lvalue, join(&terms)));
         out.function(&format!("void {stem}_clear({}, {container} flags)", target.parameters), &body);
     }
     if requestable(register) {
@@ -118,6 +118,14 @@ fn flags(out: &mut Writer, register: &Register, target: &Target, stem: &str) {
         let ones = if can.neutral_ones == 0 { String::new() } else { format!(" | {}", literal(can.neutral_ones)) };
         let line = format!("{} = ({container})((requests & {}){ones});", target.lvalue, literal(can.one_sets));
         out.function(&format!("void {stem}_request({}, {container} requests)", target.parameters), &with(target, line));
+    }
+}
+
+/// Terms joined with `|`, in parentheses where there are several.
+fn join(terms: &[String]) -> String {
+    match terms {
+        [one] => one.clone(),
+        several => format!("({})", several.join(") | (")),
     }
 }
 
@@ -147,7 +155,10 @@ fn any_write(out: &mut Writer, register: &Register, target: &Target, stem: &str)
         return;
     }
     out.comment(&["Clears or presets the register, as any write does: one store.".to_owned()]);
-    out.function(&format!("void {stem}_restart({})", target.parameters), &with(target, format!("{} = 0U;", target.lvalue)));
+    out.function(
+        &format!("void {stem}_restart({})", target.parameters),
+        &with(target, format!("{} = 0U;", target.lvalue)),
+    );
 }
 
 /// One store to an alias register.
@@ -170,7 +181,10 @@ fn aliases(context: &Context<'_>, out: &mut Writer, id: RegisterId, target: &Tar
         let container = ctype(register.width);
         out.comment(&[format!("{verb} the given bits: one store to the {} register.", alias.name)]);
         let name = format!("{stem}_{}", alias.name.to_ascii_lowercase());
-        out.function(&format!("void {name}({}, {container} bits)", target.parameters), &with(target, format!("{lvalue} = bits;")));
+        out.function(
+            &format!("void {name}({}, {container} bits)", target.parameters),
+            &with(target, format!("{lvalue} = bits;")),
+        );
     }
 }
 

@@ -2,9 +2,9 @@
 
 use regdef::model::{Field, WriteEffect};
 
+use super::Context;
 use super::literal::{ctype, decimal, hex};
 use super::write::Writer;
-use super::Context;
 use crate::text;
 
 /// Where a field is.
@@ -47,7 +47,10 @@ fn macros(context: &Context<'_>, out: &mut Writer, holder: &Holder<'_>, field: &
         }
         Some(lanes) => {
             out.define(&format!("{name}_Pos(lane)"), &format!("({}U + {}U * (lane))", field.lsb, lanes.stride));
-            out.define(&format!("{name}_Msk(lane)"), &format!("(({container})({mask} << ({}U * (lane))))", lanes.stride));
+            out.define(
+                &format!("{name}_Msk(lane)"),
+                &format!("(({container})({mask} << ({}U * (lane))))", lanes.stride),
+            );
             out.define(&format!("{name}_Lanes"), &format!("{}U", lanes.count));
         }
     }
@@ -96,9 +99,7 @@ fn setter(context: &Context<'_>, out: &mut Writer, holder: &Holder<'_>, field: &
         body.push(format!("{assert}_ASSERT(value <= {});", decimal(field.max, width)));
     }
     let lane_value = if field.lanes.is_some() { "lane, value" } else { "value" };
-    body.push(format!(
-        "return ({container})((reg & ({container})~{name}_Msk{argument}) | {name}_SET({lane_value}));"
-    ));
+    body.push(format!("return ({container})((reg & ({container})~{name}_Msk{argument}) | {name}_SET({lane_value}));"));
     out.function(
         &format!("{container} {}_set({container} reg{parameter}, {container} value)", name.to_ascii_lowercase()),
         &body,

@@ -19,11 +19,7 @@ pub(super) const fn whole(width: u32) -> &'static str {
 }
 
 /// `value` taken out of `part0` and its fellows, where `number` gives the variable of a holder.
-pub(super) fn gathered<R: Copy + PartialEq>(
-    joined: &Joined<R>,
-    holders: &[R],
-    width_of: impl Fn(R) -> u32,
-) -> String {
+pub(super) fn gathered<R: Copy + PartialEq>(joined: &Joined<R>, holders: &[R], width_of: impl Fn(R) -> u32) -> String {
     let whole = whole(joined.width);
     let terms: Vec<String> = joined
         .parts
@@ -129,18 +125,14 @@ fn write(
 }
 
 /// The same operation on every holder, if all of them have it.
-fn split(
-    context: &Context<'_>,
-    joined: &Joined,
-    arguments: &str,
-    verb: &str,
-    parameter: &str,
-) -> Option<Vec<String>> {
+fn split(context: &Context<'_>, joined: &Joined, arguments: &str, verb: &str, parameter: &str) -> Option<Vec<String>> {
     let mut lines = Vec::new();
     for part in &joined.parts {
         let register = context.model.register(part.holder);
         let (able, bits) = match verb {
-            "clear" => (access::clearable(register), register.capabilities.one_clears | register.capabilities.zero_clears),
+            "clear" => {
+                (access::clearable(register), register.capabilities.one_clears | register.capabilities.zero_clears)
+            }
             _ => (access::requestable(register), register.capabilities.one_sets),
         };
         if !able || bits & mask(part) == 0 {

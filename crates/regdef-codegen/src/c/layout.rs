@@ -109,7 +109,11 @@ impl Build<'_> {
                 Some(dim) if dim.stride == u64::from(register.width / 8) && !self.aliased(register) => {
                     let name = member(register);
                     let index = index_expression(dim.first);
-                    self.put(id, &format!("{prefix}{}{name}[{index}]", self.view(register)), Some((dim.first, dim.count)));
+                    self.put(
+                        id,
+                        &format!("{prefix}{}{name}[{index}]", self.view(register)),
+                        Some((dim.first, dim.count)),
+                    );
                     items.push(Item { window: register.window, slot: slot(register, &name, offset, Some(dim.count)) });
                 }
                 Some(_) => arrays.push(id),
@@ -153,7 +157,8 @@ impl Build<'_> {
         let mut members = Vec::new();
         for (&id, name) in ids.iter().zip(&names) {
             let register = self.model.register(id);
-            members.extend(self.with_aliases(register, name, register.offset? - base).into_iter().map(|item| item.slot));
+            members
+                .extend(self.with_aliases(register, name, register.offset? - base).into_iter().map(|item| item.slot));
         }
         members.sort_by_key(|member| member.offset);
         let overlap = members.windows(2).any(|pair| pair[0].offset + pair[0].bytes > pair[1].offset);

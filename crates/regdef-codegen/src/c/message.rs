@@ -137,7 +137,9 @@ fn copies(context: &Context<'_>, out: &mut Writer, message: &Message, payload: &
         let fill = |line: &&str| line.replace("CONTAINER", container).replace("BYTES", &bytes.to_string());
         std::iter::once(assert.clone()).chain(lines.iter().map(fill)).collect()
     };
-    out.comment(&["Reads the first bytes of the payload, every word once; byte 0 is the lowest of the first word.".to_owned()]);
+    out.comment(&[
+        "Reads the first bytes of the payload, every word once; byte 0 is the lowest of the first word.".to_owned()
+    ]);
     let read = lines(&[
         "for (size_t at = 0; at < count; at += BYTESU) {",
         "    const CONTAINER word = element->PAYLOAD[at / BYTESU];",
@@ -147,7 +149,9 @@ fn copies(context: &Context<'_>, out: &mut Writer, message: &Message, payload: &
         "}",
     ]);
     out.function(&format!("void {stem}_read_payload(const {stem}_t *element, uint8_t *data, size_t count)"), &read);
-    out.comment(&["Writes the first bytes of the payload, every word once; the rest of the last word becomes 0.".to_owned()]);
+    out.comment(&[
+        "Writes the first bytes of the payload, every word once; the rest of the last word becomes 0.".to_owned()
+    ]);
     let write = lines(&[
         "for (size_t at = 0; at < count; at += BYTESU) {",
         "    CONTAINER word = 0;",
@@ -170,7 +174,9 @@ fn joined(out: &mut Writer, message: &Message, stem: &str) {
         let mut read: Vec<String> = holders
             .iter()
             .enumerate()
-            .map(|(number, &word)| format!("const {} part{number} = element->{};", ctype(width), member_name(message, word)))
+            .map(|(number, &word)| {
+                format!("const {} part{number} = element->{};", ctype(width), member_name(message, word))
+            })
             .collect();
         read.push(gathered(joined, &holders, |_| width));
         out.function(&format!("{whole} {name}_read(const {stem}_t *element)"), &read);
@@ -183,7 +189,10 @@ fn joined(out: &mut Writer, message: &Message, stem: &str) {
                 });
                 let member = member_name(message, word);
                 let container = ctype(width);
-                format!("element->{member} = ({container})((element->{member} & ({container})~{}){bits});", hex(clear, width))
+                format!(
+                    "element->{member} = ({container})((element->{member} & ({container})~{}){bits});",
+                    hex(clear, width)
+                )
             })
             .collect();
         out.function(&format!("void {name}_write({stem}_t *element, {whole} value)"), &write);

@@ -3,7 +3,7 @@
 //! A bit-field assignment reads the register and writes all of it back. Where that would clear flags, or where the
 //! read alone changes something, the view is const: its fields can be read, and an assignment does not compile.
 
-use regdef::model::{Neutral, Placed, Register, WriteEffect};
+use regdef::model::{Neutral, NoModify, Placed, Register, WriteEffect};
 
 use super::Context;
 use super::layout::identifier;
@@ -27,7 +27,9 @@ pub(super) fn emit(context: &Context<'_>, out: &mut Writer) {
             .to_owned(),
     ]);
     out.line(&format!("#ifdef {upper}_MICROCHIP_NAMES"));
-    out.line("#if defined(__BYTE_ORDER__) && defined(__ORDER_LITTLE_ENDIAN__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__");
+    out.line(
+        "#if defined(__BYTE_ORDER__) && defined(__ORDER_LITTLE_ENDIAN__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__",
+    );
     out.line("#error \"bit-fields are laid out for little-endian compilers\"");
     out.line("#endif");
     let placed: Vec<Placed> =
@@ -71,6 +73,7 @@ fn assignable(register: &Register) -> bool {
     register.capabilities.readable
         && register.capabilities.writable
         && register.capabilities.pure
+        && !matches!(register.capabilities.modify, Err(NoModify::OnlyFlags(_)))
         && register.fields.iter().all(|field| {
             !matches!(
                 field.access.code.write_effect(),

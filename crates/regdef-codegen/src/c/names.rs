@@ -36,11 +36,22 @@ impl Taken {
 
 /// What stands behind the name of a register; functions have the same in lower case.
 const REGISTER_USES: &[&str] = &[
-    "", "_OFFSET", "_RESET", "_RESET_MASK", "_COUNT", "_STRIDE", "_FIRST", "_CLEAR", "_REQUEST", "_MODIFY", "_RESTART",
+    "",
+    "_OFFSET",
+    "_RESET",
+    "_RESET_MASK",
+    "_COUNT",
+    "_STRIDE",
+    "_FIRST",
+    "_CLEAR",
+    "_REQUEST",
+    "_MODIFY",
+    "_RESTART",
 ];
 const FIELD_USES: &[&str] = &["_Msk", "_GET", "_SET"];
 const JOINED_USES: &[&str] = &["_READ", "_WRITE", "_CLEAR", "_REQUEST"];
-const MESSAGE_USES: &[&str] = &["_T", "_READ_PAYLOAD", "_WRITE_PAYLOAD", "_PAYLOAD_BYTES", "_HEADER_BYTES", "_BYTES", "_PAYLOAD_MAX"];
+const MESSAGE_USES: &[&str] =
+    &["_T", "_READ_PAYLOAD", "_WRITE_PAYLOAD", "_PAYLOAD_BYTES", "_HEADER_BYTES", "_BYTES", "_PAYLOAD_MAX"];
 const VARIANT_USES: &[&str] = &["", "_FIRST", "_LAST"];
 
 impl Names {
@@ -61,7 +72,8 @@ impl Names {
             messages: Vec::new(),
             variants: HashMap::new(),
         };
-        let aliases: Vec<String> = model.aliases.iter().map(|alias| format!("_{}", alias.name.to_ascii_uppercase())).collect();
+        let aliases: Vec<String> =
+            model.aliases.iter().map(|alias| format!("_{}", alias.name.to_ascii_uppercase())).collect();
         let register_uses: Vec<&str> =
             REGISTER_USES.iter().copied().chain(aliases.iter().map(String::as_str)).collect();
         for (index, register) in model.registers.iter().enumerate() {

@@ -32,7 +32,13 @@ fn one(context: &Context<'_>, out: &mut Writer, id: RegisterId) {
         let at = FieldRef { register: id, field: index };
         let notes = text::conflicts(context.model, |target| *target == Target::Field(at));
         let cites = if of.cites == register.cites { String::new() } else { text::cites(&of.cites) };
-        field::emit(context, out, &field::Holder { width: register.width, name: context.names.field(at) }, of, &[notes, cites]);
+        field::emit(
+            context,
+            out,
+            &field::Holder { width: register.width, name: context.names.field(at) },
+            of,
+            &[notes, cites],
+        );
     }
     access::emit(context, out, id);
     out.blank();

@@ -1,9 +1,9 @@
 //! The struct of the register block, and the proof of its layout.
 
+use super::Context;
 use super::layout::{Slot, SlotKind};
 use super::literal::ctype;
 use super::write::Writer;
-use super::Context;
 
 pub(super) fn emit(context: &Context<'_>, out: &mut Writer) {
     let mut asserts = Vec::new();

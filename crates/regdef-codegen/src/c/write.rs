@@ -42,7 +42,8 @@ impl Writer {
     }
 
     pub(super) fn indented_comment(&mut self, indent: &str, paragraphs: &[String]) {
-        let lines: Vec<String> = paragraphs.iter().flat_map(|text| wrap(&harmless(text), WRAP - indent.len())).collect();
+        let lines: Vec<String> =
+            paragraphs.iter().flat_map(|text| wrap(&harmless(text), WRAP - indent.len())).collect();
         match lines.as_slice() {
             [] => {}
             [line] => self.line(&format!("{indent}/* {line} */")),

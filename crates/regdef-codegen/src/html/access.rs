@@ -68,7 +68,11 @@ pub(super) fn read_sentence(fields: &[Field], capabilities: &Capabilities) -> St
         return "No field can be read.".to_owned();
     }
     let touched: Vec<_> = fields.iter().filter(|f| f.access.on_read.is_some()).map(|f| f.name.as_str()).collect();
-    if touched.is_empty() { "A read changes nothing.".to_owned() } else { format!("A read changes {}.", list(&touched)) }
+    if touched.is_empty() {
+        "A read changes nothing.".to_owned()
+    } else {
+        format!("A read changes {}.", list(&touched))
+    }
 }
 
 /// What generated code offers for a register: a word, whether it is there, and an explanation in HTML.
@@ -78,11 +82,15 @@ pub(super) fn capabilities(book: &Book<'_>, id: RegisterId) -> Vec<(&'static str
     let mask = |bits: u64| format!("<code>{}</code>", hex(bits, register.width));
     let mut all = vec![
         ("read", has.readable, escape(&read_sentence(&register.fields, has))),
-        ("write", has.writable, if has.writable {
-            format!("Bits that software can write: {}.", mask(register.writable_bits()))
-        } else {
-            "No field can be written.".to_owned()
-        }),
+        (
+            "write",
+            has.writable,
+            if has.writable {
+                format!("Bits that software can write: {}.", mask(register.writable_bits()))
+            } else {
+                "No field can be written.".to_owned()
+            },
+        ),
     ];
     let modify = match &has.modify {
         Ok(()) => {

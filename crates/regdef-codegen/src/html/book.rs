@@ -5,12 +5,23 @@
 use std::collections::{HashMap, HashSet};
 
 use regdef::model::{
-    ClusterId, ConditionId, EnumId, FieldRef, InterruptId, LineId, MessageId, Model, Register, RegisterId, Target, WindowId,
+    ClusterId, ConditionId, EnumId, FieldRef, InterruptId, LineId, MessageId, Model, Register, RegisterId, Target,
+    WindowId,
 };
 
 /// Pages that every controller can have; a register whose name is one of them gets a number.
 const PAGES: &[&str] = &[
-    "index", "conditions", "enums", "joined", "effects", "interrupts", "messages", "memory", "timing", "chips", "conflicts",
+    "index",
+    "conditions",
+    "enums",
+    "joined",
+    "effects",
+    "interrupts",
+    "messages",
+    "memory",
+    "timing",
+    "chips",
+    "conflicts",
     "choices",
 ];
 
@@ -227,7 +238,8 @@ impl<'a> Book<'a> {
     pub fn named(&self, name: &str, here: Option<RegisterId>) -> Option<Target> {
         if let Some((register, field)) = name.split_once('.') {
             let register = *self.names.get(register)?;
-            let field = self.model.register(register).fields.iter().position(|f| f.name == field || f.label == field)?;
+            let field =
+                self.model.register(register).fields.iter().position(|f| f.name == field || f.label == field)?;
             return Some(Target::Field(FieldRef { register, field }));
         }
         if let Some(register) = here

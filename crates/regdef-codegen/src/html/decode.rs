@@ -4,11 +4,18 @@ use regdef::model::{Field, Model, Reset};
 use serde_json::{Value, json};
 
 /// The data as JSON that may stand inside a `script` element.
-pub(super) fn data(model: &Model, name: &str, width: u32, fields: &[Field], reset: Option<Reset>, elements: &[String]) -> String {
+pub(super) fn data(
+    model: &Model,
+    name: &str,
+    width: u32,
+    fields: &[Field],
+    reset: Option<Reset>,
+    elements: &[String],
+) -> String {
     let value = json!({
         "name": name,
         "width": width,
-        "reset": reset.map_or(0, |r| r.value),
+        "reset": reset.map(|r| r.value),
         "unknown": reset.map_or(0, |r| r.unknown),
         "elements": elements,
         "fields": fields.iter().map(|f| field(model, f)).collect::<Vec<_>>(),
@@ -18,8 +25,9 @@ pub(super) fn data(model: &Model, name: &str, width: u32, fields: &[Field], rese
 }
 
 fn field(model: &Model, field: &Field) -> Value {
+    let numbered = field.lanes.is_some() && !field.label.contains("{n}");
     let mut data = json!({
-        "name": if field.lanes.is_some() && !field.label.contains("{n}") { format!("{}{{n}}", field.label) } else { field.label.clone() },
+        "name": if numbered { format!("{}{{n}}", field.label) } else { field.label.clone() },
         "lsb": field.lsb,
         "width": field.width,
         "code": field.access.code.as_str(),
@@ -36,7 +44,8 @@ fn field(model: &Model, field: &Field) -> Value {
         data["range"] = json!([field.min, field.max]);
     }
     if let Some(encoding) = &field.encoding {
-        data["encoding"] = json!([encoding.add, encoding.times.unwrap_or(1), encoding.signed, encoding.unit.as_deref().unwrap_or("")]);
+        data["encoding"] =
+            json!([encoding.add, encoding.times.unwrap_or(1), encoding.signed, encoding.unit.as_deref().unwrap_or("")]);
     }
     if let Some(value) = field.access.must_write {
         data["must"] = json!(value);

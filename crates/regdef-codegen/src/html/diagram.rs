@@ -33,8 +33,10 @@ pub(super) struct Layout {
 pub(super) const PAGE: [Layout; 2] =
     [Layout { columns: 16, cell: 62, class: "wide" }, Layout { columns: 8, cell: 44, class: "narrow" }];
 
-/// The layout of a message word as one row of a picture of the whole element.
-pub(super) const ROW: Layout = Layout { columns: 32, cell: 36, class: "row" };
+/// The layout of a message word as one row of a picture of the whole element, equally wide for words of any width.
+pub(super) const fn row(word_width: u32) -> Layout {
+    Layout { columns: word_width, cell: 32 * 36 / word_width, class: "row" }
+}
 
 const HEAD: u32 = 18;
 const BOX: u32 = 44;
@@ -58,7 +60,9 @@ pub(super) fn draw(
     let mut svg = format!(
         "<svg class=\"bits {}\" viewBox=\"0 0 {total_width} {total_height}\" role=\"img\" aria-label=\"{}\">",
         layout.class,
-        escape(&format!("Bit fields of {name}, most significant bit first; the table of fields says the same in words")),
+        escape(&format!(
+            "Bit fields of {name}, most significant bit first; the table of fields says the same in words"
+        )),
     );
     let reset_bits = reset.map(|r| bits(r, width));
     for row in 0..rows {

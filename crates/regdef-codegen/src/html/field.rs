@@ -68,7 +68,8 @@ fn row(book: &Book<'_>, xref: &Xref, holder: Holder<'_>, index: usize, field: &F
     let values = field.enumeration().map(|id| {
         let one = book.model.enumeration(id);
         context! {
-            rows => values(book, one), count => one.variants.len(), link => book.enumeration(id), name => one.name.clone(), shared => one.shared,
+            rows => values(book, one), count => one.variants.len(), link => book.enumeration(id),
+            name => one.name.clone(), shared => one.shared,
         }
     });
     context! {
@@ -105,7 +106,11 @@ fn all_bits(field: &Field) -> String {
             let lanes = (0..lanes.count).rev().map(|lane| bit_range(field.lane_lsb(lane), field.width));
             lanes.collect::<Vec<_>>().join(", ")
         }
-        Some(lanes) => format!("{} … {}", bit_range(field.lane_lsb(lanes.count - 1), field.width), bit_range(field.lsb, field.width)),
+        Some(lanes) => format!(
+            "{} … {}",
+            bit_range(field.lane_lsb(lanes.count - 1), field.width),
+            bit_range(field.lsb, field.width)
+        ),
         None => bit_range(field.lsb, field.width),
     }
 }
@@ -114,8 +119,14 @@ fn lanes_in_words(field: &Field) -> Option<String> {
     let lanes = field.lanes?;
     let bits = if field.width == 1 { "one bit" } else { &format!("{} bits", field.width) };
     let (first, last) = (field.label_of(0, 0), field.label_of(0, lanes.count - 1));
-    let apart = if lanes.stride == field.width { "side by side".to_owned() } else { format!("{} bits apart", lanes.stride) };
-    let text = format!("{} of {bits} each, {apart}: {first} (bit {}) to {last} (bit {})", lanes.count, field.lsb, field.lane_lsb(lanes.count - 1));
+    let apart =
+        if lanes.stride == field.width { "side by side".to_owned() } else { format!("{} bits apart", lanes.stride) };
+    let text = format!(
+        "{} of {bits} each, {apart}: {first} (bit {}) to {last} (bit {})",
+        lanes.count,
+        field.lsb,
+        field.lane_lsb(lanes.count - 1)
+    );
     Some(super::text::escape(&text))
 }
 
@@ -171,7 +182,11 @@ pub(super) fn formula(encoding: &Encoding) -> String {
         text = if encoding.add == 0 { format!("{text} × {times}") } else { format!("({text}) × {times}") };
     }
     if let Some(unit) = &encoding.unit {
-        text = if text.contains(' ') && !text.starts_with('(') { format!("({text}) {unit}") } else { format!("{text} {unit}") };
+        text = if text.contains(' ') && !text.starts_with('(') {
+            format!("({text}) {unit}")
+        } else {
+            format!("{text} {unit}")
+        };
     }
     if encoding.signed { format!("{text}, two's complement") } else { text }
 }
@@ -200,7 +215,10 @@ pub(super) fn grouped(mentions: &[(&'static str, String)]) -> Vec<Value> {
             None => groups.push((term, vec![html])),
         }
     }
-    groups.into_iter().map(|(term, items)| context! { term, items => items.into_iter().map(safe).collect::<Vec<_>>() }).collect()
+    groups
+        .into_iter()
+        .map(|(term, items)| context! { term, items => items.into_iter().map(safe).collect::<Vec<_>>() })
+        .collect()
 }
 
 #[cfg(test)]

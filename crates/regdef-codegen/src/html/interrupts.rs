@@ -15,7 +15,8 @@ pub(super) fn view(book: &Book<'_>) -> Value {
     let lines = interrupts.lines.iter().enumerate().map(|(index, line)| {
         let reach = interrupts.sources.iter().filter(|s| s.lines.contains(&LineId(index))).count();
         context! {
-            id => anchor(&book.line(LineId(index))), name => line.name.clone(), doc => safe(book.inline(&line.doc, None)),
+            id => anchor(&book.line(LineId(index))), name => line.name.clone(),
+            doc => safe(book.inline(&line.doc, None)),
             enable => line.enable.map(|at| safe(book.field_link(at))), select => line.select, reach,
             cites => safe(book.cites(&line.cites)),
         }
@@ -24,11 +25,14 @@ pub(super) fn view(book: &Book<'_>) -> Value {
         let reaches = source.lines.iter().map(|&l| line_link(l)).chain(source.feeds.iter().map(|&s| source_link(s)));
         let fed = interrupts.sources.iter().enumerate().filter(|(_, s)| s.feeds.contains(&InterruptId(index)));
         context! {
-            id => anchor(&book.interrupt(InterruptId(index))), name => source.name.clone(), doc => safe(book.inline(&source.doc, None)),
+            id => anchor(&book.interrupt(InterruptId(index))), name => source.name.clone(),
+            doc => safe(book.inline(&source.doc, None)),
             flag => safe(book.field_link(source.flag)), enable => source.enable.map(|at| safe(book.field_link(at))),
-            select => source.select.map(|at| safe(book.field_link(at))), reaches => safe(reaches.collect::<Vec<_>>().join(", ")),
+            select => source.select.map(|at| safe(book.field_link(at))),
+            reaches => safe(reaches.collect::<Vec<_>>().join(", ")),
             fed_by => safe(fed.map(|(i, _)| source_link(InterruptId(i))).collect::<Vec<_>>().join(", ")),
-            code => source.code.map(|(first, last)| if first == last { first.to_string() } else { format!("{first}–{last}") }), cleared_by => safe(book.inline(&source.cleared_by, None)), cites => safe(book.cites(&source.cites)),
+            code => source.code.map(|(first, last)| if first == last { first.to_string() } else { format!("{first}–{last}") }),
+            cleared_by => safe(book.inline(&source.cleared_by, None)), cites => safe(book.cites(&source.cites)),
         }
     });
     context! {
@@ -54,8 +58,10 @@ fn tree(book: &Book<'_>) -> String {
     for (lines, sources) in groups {
         let names: Vec<_> = lines.iter().map(|&l| code_link(&book.line(l), &interrupts.lines[l.0].name)).collect();
         let selected = sources.iter().any(|s| interrupts.sources[s.0].select.is_some());
-        let which = if lines.len() > 1 && selected { " <span class=\"dim\">as the line-select bit says</span>" } else { "" };
-        html += &format!("<li>Line {}{which}<ul>{}</ul></li>", names.join(" or "), branch(book, &sources, &mut Vec::new()));
+        let which =
+            if lines.len() > 1 && selected { " <span class=\"dim\">as the line-select bit says</span>" } else { "" };
+        html +=
+            &format!("<li>Line {}{which}<ul>{}</ul></li>", names.join(" or "), branch(book, &sources, &mut Vec::new()));
     }
     html
 }
@@ -69,7 +75,11 @@ fn branch(book: &Book<'_>, sources: &[InterruptId], above: &mut Vec<InterruptId>
             .map(InterruptId)
             .filter(|&s| interrupts.sources[s.0].feeds.contains(&id) && !above.contains(&s) && s != id)
             .collect();
-        let mut line = format!("{} <span class=\"dim\">flag</span> {}", code_link(&book.interrupt(id), &source.name), book.field_link(source.flag));
+        let mut line = format!(
+            "{} <span class=\"dim\">flag</span> {}",
+            code_link(&book.interrupt(id), &source.name),
+            book.field_link(source.flag)
+        );
         if let Some(at) = source.enable {
             line += &format!(" <span class=\"dim\">enable</span> {}", book.field_link(at));
         }

@@ -16,9 +16,14 @@ pub(super) fn messages(book: &Book<'_>, xref: &Xref) -> Value {
         let id = MessageId(index);
         let words = (0..message.words.len()).map(|word| view_word(book, xref, id, word)).collect::<Vec<_>>();
         context! {
-            id => anchor(&book.message(id)), name => message.name.clone(), title => message.title.clone(), word_width => message.word_width,
-            doc => safe(book.paragraphs(&message.doc, None)), cites => safe(book.cites(&message.cites)), header => message.header_bytes,
-            words, payload => message.payload.as_ref().map(|p| payload(book, message, p)), mentions => grouped(xref.of_message(id)),
+            id => anchor(&book.message(id)), name => message.name.clone(), title => message.title.clone(),
+            word_width => message.word_width,
+            doc => safe(book.paragraphs(&message.doc, None)), cites => safe(book.cites(&message.cites)),
+            header => message.header_bytes,
+            words, payload => message.payload.as_ref().map(|p| payload(book, message, p)),
+            // The data bytes stand in front of the words behind them, as in the memory.
+            words_before => message.payload.as_ref().map_or(0, |p| message.words.iter().filter(|w| w.offset < p.offset).count()),
+            mentions => grouped(xref.of_message(id)),
             joined => message.joined.iter().map(|j| context! {
                 name => j.name.clone(), doc => safe(book.inline(&j.doc, None)), width => j.width,
                 parts => j.parts.iter().map(|part| {
@@ -44,10 +49,12 @@ fn view_word(book: &Book<'_>, xref: &Xref, id: MessageId, index: usize) -> Value
     };
     let same = word.same_as.map(|(m, w)| safe(book.target_link(Target::Word(m, w))));
     context! {
-        id => anchor(&book.word(id, index)), name => word.name.clone(), offset => format!("0x{:02X}", word.offset), bytes => word.offset,
-        doc => safe(book.paragraphs(&word.doc, None)), cites => safe(book.cites(&word.cites)), inherits => word.cites == message.cites,
+        id => anchor(&book.word(id, index)), name => word.name.clone(), offset => format!("0x{:02X}", word.offset),
+        bytes => word.offset,
+        doc => safe(book.paragraphs(&word.doc, None)), cites => safe(book.cites(&word.cites)),
+        inherits => word.cites == message.cites,
         present_when => word.present_when.map(|c| safe(book.condition_link(c))), same,
-        row => draw(diagram::ROW), narrow => draw(diagram::PAGE[1]),
+        row => draw(diagram::row(message.word_width)), narrow => draw(diagram::PAGE[1]),
         fields => rows(book, xref, Holder::Word(id, index, &word.cites), &word.fields),
         decode => safe(decode::data(book.model, &name, message.word_width, &word.fields, None, &[])),
         mentions => grouped(xref.of_word(id, index)),
@@ -61,12 +68,14 @@ fn payload(book: &Book<'_>, message: &Message, payload: &Payload) -> Value {
         context! {
             code, size, words => size.div_ceil(bytes_per_word),
             labels => format!("{} … {}", numbered(&payload.word_label, payload.first_word), numbered(&payload.word_label, last)),
-            element => message.element_bytes(size), element_words => message.element_bytes(size).div_ceil(u64::from(bytes_per_word)),
+            element => message.element_bytes(size),
+            element_words => message.element_bytes(size).div_ceil(u64::from(bytes_per_word)),
         }
     });
     let bytes: Vec<String> = (0..bytes_per_word).rev().map(|n| numbered(&payload.byte_label, n)).collect();
     context! {
-        offset => format!("0x{:02X}", payload.offset), sizes => sizes.collect::<Vec<_>>(), doc => safe(book.paragraphs(&payload.doc, None)),
+        offset => format!("0x{:02X}", payload.offset), sizes => sizes.collect::<Vec<_>>(),
+        doc => safe(book.paragraphs(&payload.doc, None)),
         cites => safe(book.cites(&payload.cites)), bytes, first => numbered(&payload.word_label, payload.first_word),
     }
 }
@@ -80,6 +89,7 @@ pub(super) fn memory(book: &Book<'_>) -> Value {
     let model = book.model;
     let sections = model.memory.sections.iter().enumerate().map(|(index, section)| {
         let start = match &section.start {
+            SectionStart::Follows if index == 0 => "at the start of the memory".to_owned(),
             SectionStart::Follows => "behind the section before it".to_owned(),
             SectionStart::At { parts, unit } => {
                 let name = |part: &regdef::model::Part<_>| match part.field {
@@ -93,16 +103,20 @@ pub(super) fn memory(book: &Book<'_>) -> Value {
         let count: Vec<_> = section.count.iter().map(|&at| book.field_link(at)).collect();
         let elements = section.elements.iter().map(|&id| safe(book.target_link(Target::Message(id))));
         context! {
-            id => anchor(&book.section(index)), name => section.name.clone(), doc => safe(book.inline(&section.doc, None)), start => safe(start),
+            id => anchor(&book.section(index)), name => section.name.clone(),
+            doc => safe(book.inline(&section.doc, None)), start => safe(start),
             elements => elements.collect::<Vec<_>>(), count => safe(count.join(" + ")), max => section.max,
             payload_size => section.payload_size.map(|at| safe(book.field_link(at))),
             exists_when => section.exists_when.map(|c| safe(book.condition_link(c))),
-            repeats => section.dim.as_ref().map(|d| escape(&format!("{} sections, numbered {} to {}", d.count, d.first, d.first + d.count - 1))),
+            repeats => section.dim.as_ref().map(|d| {
+                escape(&format!("{} sections, numbered {} to {}", d.count, d.first, d.first + d.count - 1))
+            }),
             cites => safe(book.cites(&section.cites)),
         }
     });
     context! {
-        doc => safe(book.paragraphs(&model.memory.doc, None)), limit => model.memory.limit, cites => safe(book.cites(&model.memory.cites)),
+        doc => safe(book.paragraphs(&model.memory.doc, None)), limit => model.memory.limit,
+        cites => safe(book.cites(&model.memory.cites)),
         sections => sections.collect::<Vec<_>>(),
     }
 }

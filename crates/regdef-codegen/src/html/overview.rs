@@ -3,12 +3,12 @@
 use minijinja::{Value, context};
 use regdef::model::{AccessCode, AliasOp, ClusterId, Model, RegisterId, WindowId};
 
+use super::access;
 use super::book::{Book, label};
 use super::field::grouped;
 use super::register::{address, codes, short_reset};
 use super::text::{link, offset, safe};
 use super::xref::Xref;
-use super::access;
 
 /// A page that a controller has if it has something for it: file, title, number of entries.
 pub(super) fn pages(model: &Model) -> Vec<(&'static str, &'static str, usize)> {
@@ -36,12 +36,14 @@ pub(super) fn navigation(book: &Book<'_>) -> Value {
     let entry = |(id, register): (RegisterId, &regdef::model::Register)| {
         context! { link => book.register(id), name => label(model, register), title => register.title.clone() }
     };
-    let mut groups = vec![context! { title => "Registers", registers => model.block_registers().map(entry).collect::<Vec<_>>() }];
+    let mut groups =
+        vec![context! { title => "Registers", registers => model.block_registers().map(entry).collect::<Vec<_>>() }];
     for (index, cluster) in model.clusters.iter().enumerate() {
         let registers = model.cluster_registers(ClusterId(index)).map(entry).collect::<Vec<_>>();
         groups.push(context! { title => format!("{} (×{})", cluster.title, cluster.dim.count), registers });
     }
-    let pages = pages(model).into_iter().map(|(link, title, count)| context! { link, title, count }).collect::<Vec<_>>();
+    let pages =
+        pages(model).into_iter().map(|(link, title, count)| context! { link, title, count }).collect::<Vec<_>>();
     context! { id => model.names.id.clone(), title => model.title.clone(), pages, groups }
 }
 
@@ -52,7 +54,8 @@ pub(super) fn card(book: &Book<'_>) -> Value {
     context! {
         id => model.names.id.clone(), title => model.title.clone(), doc => model.doc.clone(),
         manual => context! {
-            title => model.manual.title.clone(), publisher => model.manual.publisher.clone(), document => model.manual.document.clone(),
+            title => model.manual.title.clone(), publisher => model.manual.publisher.clone(),
+            document => model.manual.document.clone(),
             revision => model.manual.revision.clone(), date => model.manual.date.clone(),
         },
         counts => vec![
@@ -83,20 +86,25 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref) -> Value {
         type_name => model.names.ident.pascal.clone(),
         sources => model.sources.iter().map(|(key, s)| context! {
             id => Book::source(key).split_once('#').map(|(_, id)| id.to_owned()),
-            key, title => s.title.clone(), locator => s.locator.clone(), doc => s.doc.as_ref().map(|d| safe(book.inline(d, None))),
+            key, title => s.title.clone(), locator => s.locator.clone(),
+            doc => s.doc.as_ref().map(|d| safe(book.inline(d, None))),
         }).collect::<Vec<_>>(),
         aliases => model.aliases.iter().map(|a| context! {
-            name => a.name.clone(), offset => format!("0x{:X}", a.offset), op => op(a.op), doc => safe(book.inline(&a.doc, None)), cites => safe(book.cites(&a.cites)),
+            name => a.name.clone(), offset => format!("0x{:X}", a.offset), op => op(a.op),
+            doc => safe(book.inline(&a.doc, None)), cites => safe(book.cites(&a.cites)),
         }).collect::<Vec<_>>(),
         windows => model.windows.iter().enumerate().map(|(i, w)| context! {
-            id => anchor(&book.window(WindowId(i))), name => w.name.clone(), select => safe(book.field_link(w.select)), value => w.value,
+            id => anchor(&book.window(WindowId(i))), name => w.name.clone(),
+            select => safe(book.field_link(w.select)), value => w.value,
             doc => safe(book.inline(&w.doc, None)), cites => safe(book.cites(&w.cites)),
             registers => model.registers.iter().filter(|r| r.window == Some(WindowId(i))).count(),
         }).collect::<Vec<_>>(),
         clusters => model.clusters.iter().enumerate().map(|(i, c)| cluster(book, xref, ClusterId(i), c)).collect::<Vec<_>>(),
         map => map(book),
         device => model.block_registers().filter(|(_, r)| r.offset.is_none()).map(|(id, _)| row(book, id)).collect::<Vec<_>>(),
-        codes => AccessCode::ALL.into_iter().map(|c| context! { code => c.as_str(), words => access::words(c), meaning => c.meaning() }).collect::<Vec<_>>(),
+        codes => AccessCode::ALL.into_iter().map(|c| context! {
+            code => c.as_str(), words => access::words(c), meaning => c.meaning(),
+        }).collect::<Vec<_>>(),
         windowed => !model.windows.is_empty(),
         has_reserved => !model.reserved.is_empty(),
     }
@@ -105,9 +113,13 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref) -> Value {
 fn cluster(book: &Book<'_>, xref: &Xref, id: ClusterId, cluster: &regdef::model::Cluster) -> Value {
     let last = cluster.dim.first + cluster.dim.count - 1;
     context! {
-        id => anchor(&book.cluster(id)), name => cluster.name.clone(), title => cluster.title.clone(), doc => safe(book.paragraphs(&cluster.doc, None)),
+        id => anchor(&book.cluster(id)), name => cluster.name.clone(), title => cluster.title.clone(),
+        doc => safe(book.paragraphs(&cluster.doc, None)),
         cites => safe(book.cites(&cluster.cites)),
-        repeats => format!("{} elements, numbered {} to {last}, {} bytes apart from {}", cluster.dim.count, cluster.dim.first, cluster.dim.stride, offset(cluster.offset)),
+        repeats => format!(
+            "{} elements, numbered {} to {last}, {} bytes apart from {}",
+            cluster.dim.count, cluster.dim.first, cluster.dim.stride, offset(cluster.offset)
+        ),
         registers => book.model.cluster_registers(id).map(|(id, _)| safe(book.register_link(id))).collect::<Vec<_>>(),
         mentions => grouped(xref.of_cluster(id)),
     }
@@ -126,7 +138,8 @@ fn row(book: &Book<'_>, id: RegisterId) -> Value {
     let register = book.model.register(id);
     let dim = register.dim.as_ref().or_else(|| register.cluster.map(|c| &book.model.clusters[c.0].dim));
     context! {
-        link => book.register(id), name => label(book.model, register), title => register.title.clone(), width => register.width,
+        link => book.register(id), name => label(book.model, register), title => register.title.clone(),
+        width => register.width,
         address => address(book.model, register), reset => short_reset(register), codes => codes(register),
         range => dim.map(|d| format!("{}…{}", d.first, d.first + d.count - 1)),
         impure => !register.capabilities.pure,
@@ -148,7 +161,10 @@ fn map(book: &Book<'_>) -> Vec<Value> {
     for range in &model.reserved {
         let mut notes = Vec::new();
         if let Some(value) = range.reads {
-            notes.push(format!("reads as <code>{}</code>", if value == 0 { "0".to_owned() } else { format!("0x{value:X}") }));
+            notes.push(format!(
+                "reads as <code>{}</code>",
+                if value == 0 { "0".to_owned() } else { format!("0x{value:X}") }
+            ));
         }
         if let Some(at) = range.sets {
             notes.push(format!("an access sets {}", book.field_link(at)));
@@ -157,7 +173,8 @@ fn map(book: &Book<'_>) -> Vec<Value> {
             notes.push(book.inline(&range.doc, None));
         }
         let value = context! {
-            reserved => true, address => format!("{}…{}", offset(range.from), offset(range.to)), bytes => bytes(range.to - range.from + 1),
+            reserved => true, address => format!("{}…{}", offset(range.from), offset(range.to)),
+            bytes => bytes(range.to - range.from + 1),
             notes => safe(notes.join("; ")), cites => safe(book.cites(&range.cites)),
             window => range.window.map(|w| context! { link => book.window(w), name => model.windows[w.0].name.clone() }),
         };

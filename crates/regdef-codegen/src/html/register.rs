@@ -43,7 +43,7 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
     let others: Vec<_> = mentions.iter().filter(|(t, _)| !matches!(*t, "Conflict" | "Not stated")).cloned().collect();
     context! {
         name => name.clone(),
-        spelling => (!model.prefix.is_empty()).then(|| format!("{}{}", model.prefix, label(model, register))),
+        spelling => spelling(model, register),
         title => register.title.clone(),
         doc => safe(book.paragraphs(&register.doc, Some(id))),
         cites => safe(book.cites(&register.cites)),
@@ -55,9 +55,10 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         marks => marks(register),
         window => register.window.map(|w| {
             let window = &model.windows[w.0];
-            context! { link => book.window(w), name => window.name.clone(), select => safe(book.field_link(window.select)), value => window.value }
+            let select = safe(book.field_link(window.select));
+            context! { link => book.window(w), name => window.name.clone(), select, value => window.value }
         }),
-        cluster => register.cluster.map(|c| context! { link => book.cluster(c), name => model.clusters[c.0].name.clone(), title => model.clusters[c.0].title.clone() }),
+        cluster => register.cluster.map(|c| context! { link => book.cluster(c), title => model.clusters[c.0].title.clone() }),
         device => register.offset.is_none(),
         hazards => register.hazards.iter().map(|h| safe(book.inline(h, Some(id)))).collect::<Vec<_>>(),
         unsafe_write => register.unsafe_write.as_ref().map(|why| safe(book.inline(why, Some(id)))),
@@ -68,7 +69,9 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
         decode => safe(data),
         rules => write_conditions(book, register),
         fields => rows(book, xref, holder, &register.fields),
-        elements => elements.iter().map(|e| context! { label => e.label.clone(), offset => offset(e.offset), aliases => aliases(model, register, e.offset) }).collect::<Vec<_>>(),
+        elements => elements.iter().map(|e| context! {
+            label => e.label.clone(), offset => offset(e.offset), aliases => aliases(model, register, e.offset),
+        }).collect::<Vec<_>>(),
         aliases => aliases(model, register, register.offset.unwrap_or(0)),
         alias_names => model.aliases.iter().map(|a| a.name.clone()).collect::<Vec<_>>(),
         capabilities => access::capabilities(book, id)
@@ -76,6 +79,16 @@ pub(super) fn view(book: &Book<'_>, xref: &Xref, id: RegisterId) -> Value {
             .map(|(name, has, text)| context! { name, has, text => safe(text) })
             .collect::<Vec<_>>(),
         mentions => grouped(&others),
+    }
+}
+
+/// The manual's spelling, prefix included, where it is another than that of these pages.
+fn spelling(model: &Model, register: &Register) -> Option<String> {
+    let with_prefix = |label: &str| format!("{}{label}", model.prefix);
+    match register.dim.as_ref().map(|dim| &dim.labels[..]) {
+        Some([first, .., last]) => Some(format!("{} … {}", with_prefix(first), with_prefix(last))),
+        _ if model.prefix.is_empty() => None,
+        _ => Some(with_prefix(&label(model, register))),
     }
 }
 
@@ -169,7 +182,8 @@ fn aliases(model: &Model, register: &Register, at: u64) -> Vec<Value> {
         AliasOp::Set => "bits written 1 are set",
         AliasOp::Invert => "bits written 1 are inverted",
     };
-    let one = |a: &regdef::model::Alias| context! { name => a.name.clone(), offset => offset(at + a.offset), op => op(a.op) };
+    let one =
+        |a: &regdef::model::Alias| context! { name => a.name.clone(), offset => offset(at + a.offset), op => op(a.op) };
     model.aliases.iter().map(one).collect()
 }
 

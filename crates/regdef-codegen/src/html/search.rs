@@ -9,11 +9,24 @@ use super::overview::pages;
 
 /// Kinds of entries, in the order in which equal matches are shown.
 const KINDS: [&str; 14] = [
-    "controller", "register", "field", "enumeration", "message", "word", "condition", "interrupt", "joined value", "memory", "chip",
-    "conflict", "not stated", "page",
+    "controller",
+    "register",
+    "field",
+    "enumeration",
+    "message",
+    "word",
+    "condition",
+    "interrupt",
+    "joined value",
+    "memory",
+    "chip",
+    "conflict",
+    "not stated",
+    "page",
 ];
 
-/// The index of the whole site: `REGDEF_INDEX = {kinds, controllers, entries: [[kind, controller, name, title, url, text]]}`.
+/// The index of the whole site: `REGDEF_INDEX = {kinds, controllers, entries}`, each entry being
+/// `[kind, controller, name, title, url, text]`.
 pub(super) fn index(books: &[Book<'_>], language: &[(String, String, String)]) -> String {
     let mut entries = Vec::new();
     for (number, book) in books.iter().enumerate() {
@@ -27,7 +40,11 @@ pub(super) fn index(books: &[Book<'_>], language: &[(String, String, String)]) -
         entries.push(json!([page, -1, name, "Description language", url, text]));
     }
     let controllers: Vec<_> = books.iter().map(|b| json!([b.folder(), b.model.title])).collect();
-    let mut script = format!("window.REGDEF_INDEX={{\"kinds\":{},\"controllers\":{},\"entries\":[\n", json!(KINDS), json!(controllers));
+    let mut script = format!(
+        "window.REGDEF_INDEX={{\"kinds\":{},\"controllers\":{},\"entries\":[\n",
+        json!(KINDS),
+        json!(controllers)
+    );
     let lines: Vec<_> = entries.iter().map(Value::to_string).collect();
     script += &lines.join(",\n");
     script += "\n]};\n";
@@ -49,7 +66,8 @@ impl Entries<'_, '_> {
     }
 
     fn values(&self, id: Option<EnumId>) -> String {
-        let names = id.map(|id| self.book.model.enumeration(id).variants.iter().map(|v| v.name.as_str()).collect::<Vec<_>>());
+        let names =
+            id.map(|id| self.book.model.enumeration(id).variants.iter().map(|v| v.name.as_str()).collect::<Vec<_>>());
         names.map(|n| format!(" · {}", n.join(" "))).unwrap_or_default()
     }
 

@@ -14,8 +14,10 @@ pub(super) fn enums(book: &Book<'_>, xref: &Xref) -> Value {
     let one = |(index, one): (usize, &regdef::model::Enum)| {
         let id = EnumId(index);
         context! {
-            id => anchor(&book.enumeration(id)), name => one.name.clone(), shared => one.shared, width => one.width, total => one.is_total(),
-            doc => safe(book.paragraphs(&one.doc, None)), cites => safe(book.cites(&one.cites)), rows => values(book, one),
+            id => anchor(&book.enumeration(id)), name => one.name.clone(), shared => one.shared, width => one.width,
+            total => one.is_total(),
+            doc => safe(book.paragraphs(&one.doc, None)), cites => safe(book.cites(&one.cites)),
+            rows => values(book, one),
             mentions => grouped(xref.of_enum(id)),
         }
     };
@@ -54,10 +56,12 @@ pub(super) fn joined(book: &Book<'_>, xref: &Xref) -> Value {
                 Some(field) => book.field_link(FieldRef { register: part.holder, field }),
                 None => book.register_link(part.holder),
             };
-            context! { bits => bit_range(part.shift, part.width), holder => safe(holder), holder_bits => bit_range(part.lsb, part.width) }
+            let holder_bits = bit_range(part.lsb, part.width);
+            context! { bits => bit_range(part.shift, part.width), holder => safe(holder), holder_bits }
         });
         context! {
-            id => anchor(&book.joined(index)), name => joined.name.clone(), width => joined.width, parts => parts.collect::<Vec<_>>(),
+            id => anchor(&book.joined(index)), name => joined.name.clone(), width => joined.width,
+            parts => parts.collect::<Vec<_>>(),
             doc => safe(book.paragraphs(&joined.doc, None)), cites => safe(book.cites(&joined.cites)),
             order => match joined.order {
                 HalfOrder::LowFirst => "the part with the least significant bits first",
@@ -99,7 +103,8 @@ pub(super) fn effects(book: &Book<'_>) -> Value {
 pub(super) fn chips(book: &Book<'_>) -> Value {
     let one = |(index, chip): (usize, &regdef::model::Instance)| {
         context! {
-            id => anchor(&book.instance(index)), name => chip.name.clone(), chips => chip.chips.clone(), base => hex(chip.base, 32),
+            id => anchor(&book.instance(index)), name => chip.name.clone(), chips => chip.chips.clone(),
+            base => hex(chip.base, 32),
             memory => chip.memory.map(|m| hex(m, 32)),
             interrupts => chip.interrupts.iter().map(|(name, number)| context! { name, number }).collect::<Vec<_>>(),
             doc => safe(book.inline(&chip.doc, None)), cites => safe(book.cites(&chip.cites)),
@@ -119,7 +124,8 @@ pub(super) fn conflicts(book: &Book<'_>) -> Value {
             context! { cite => safe(book.cites(std::slice::from_ref(&r.cite))), says => safe(book.inline(&r.says, None)) }
         });
         context! {
-            id => anchor(&book.conflict(index)), what => safe(book.inline(&conflict.what, None)), at => targets(book, &conflict.at),
+            id => anchor(&book.conflict(index)), what => safe(book.inline(&conflict.what, None)),
+            at => targets(book, &conflict.at),
             says => says.collect::<Vec<_>>(), taken => safe(book.inline(&conflict.taken, None)),
             because => safe(book.inline(&conflict.because, None)),
         }
@@ -131,7 +137,8 @@ pub(super) fn conflicts(book: &Book<'_>) -> Value {
 pub(super) fn choices(book: &Book<'_>) -> Value {
     let one = |(index, choice): (usize, &regdef::model::Choice)| {
         context! {
-            id => anchor(&book.choice(index)), name => choice.id.clone(), question => safe(book.inline(&choice.question, None)), at => targets(book, &choice.at),
+            id => anchor(&book.choice(index)), name => choice.id.clone(),
+            question => safe(book.inline(&choice.question, None)), at => targets(book, &choice.at),
             nearest => safe(book.inline(&choice.nearest, None)), choice => safe(book.inline(&choice.choice, None)),
             alternatives => choice.alternatives.iter().map(|a| safe(book.inline(a, None))).collect::<Vec<_>>(),
             because => safe(book.inline(&choice.because, None)), cites => safe(book.cites(&choice.cites)),

@@ -26,6 +26,15 @@ pub(super) fn escape(text: &str) -> String {
     out
 }
 
+/// Escaped text with what stands in backticks in the type of code.
+pub(super) fn code(text: &str) -> String {
+    let piece = |(index, piece): (usize, &str)| {
+        let piece = escape(piece);
+        if index % 2 == 1 { format!("<code>{piece}</code>") } else { piece }
+    };
+    text.split('`').enumerate().map(piece).collect()
+}
+
 /// HTML that a template puts out as it is.
 pub(super) fn safe(html: impl Into<String>) -> Value {
     Value::from_safe_string(html.into())
@@ -104,7 +113,8 @@ impl Book<'_> {
             }
             let (name, behind) = rest.split_at(end);
             rest = behind;
-            let is_name = name.len() > 1 && name.starts_with(|c: char| c.is_ascii_uppercase()) && !WORDS.contains(&name);
+            let is_name =
+                name.len() > 1 && name.starts_with(|c: char| c.is_ascii_uppercase()) && !WORDS.contains(&name);
             match self.named(name, here).filter(|_| is_name) {
                 Some(Target::Register(id)) if Some(id) == here => out.push_str(&escape(name)),
                 Some(target) => out.push_str(&code_link(&self.target(target).0, name)),

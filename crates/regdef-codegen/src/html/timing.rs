@@ -12,7 +12,10 @@ pub(super) fn roles(phase: &TimingPhase) -> Vec<(FieldRef, &'static str)> {
     let all = [
         (Some(phase.prescaler), "prescaler"),
         (phase.propagation, "propagation segment"),
-        (Some(phase.segment1), if phase.propagation.is_some() { "phase segment 1" } else { "propagation and phase segment 1" }),
+        (
+            Some(phase.segment1),
+            if phase.propagation.is_some() { "phase segment 1" } else { "propagation and phase segment 1" },
+        ),
         (Some(phase.segment2), "phase segment 2"),
         (Some(phase.jump_width), "synchronization jump width"),
     ];
@@ -50,7 +53,8 @@ pub(super) fn view(book: &Book<'_>, timing: &BitTiming) -> Value {
         context! {
             id, title, rows => rows(roles(phase)), rules => rules(&phase.rules),
             quanta => format!("{} to {}", phase.min_quanta, phase.max_quanta),
-            rate => phase.max_bit_rate.map(frequency).map(|r| r.replace("Hz", "bit/s")), cites => safe(book.cites(&phase.cites)),
+            rate => phase.max_bit_rate.map(frequency).map(|r| r.replace("Hz", "bit/s")),
+            cites => safe(book.cites(&phase.cites)),
         }
     };
     let mut phases = vec![phase(&timing.nominal, "nominal", "Nominal phase")];

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use regdef::model::{
-    ClusterId, ConditionId, EnumId, FieldRef, Joined, LineId, InterruptId, MessageId, Model, RegisterId, SectionStart, Target,
-    TimingPhase,
+    ClusterId, ConditionId, EnumId, FieldRef, InterruptId, Joined, LineId, MessageId, Model, RegisterId, SectionStart,
+    Target, TimingPhase,
 };
 
 use super::book::Book;
@@ -137,7 +137,10 @@ impl Xref {
         for (index, effect) in book.model.effects.iter().enumerate() {
             let name = &book.model.condition(effect.on).name;
             let to = code_link(&book.effect(index), name);
-            self.conditions.entry(effect.on).or_default().push(("Has an effect", link(&book.effect(index), "see effects")));
+            self.conditions
+                .entry(effect.on)
+                .or_default()
+                .push(("Has an effect", link(&book.effect(index), "see effects")));
             for &id in &effect.resets {
                 self.registers.entry(id).or_default().push(("Reset by", to.clone()));
             }

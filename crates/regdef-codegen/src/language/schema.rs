@@ -63,7 +63,8 @@ impl TypeDoc {
         }
         let position = |key: &Key| required.iter().position(|r| *r == key.name).unwrap_or(usize::MAX);
         keys.sort_by_key(position);
-        let words = list(&schema["oneOf"]).iter().filter_map(|w| Some((w["const"].as_str()?.to_owned(), doc(w)))).collect();
+        let words =
+            list(&schema["oneOf"]).iter().filter_map(|w| Some((w["const"].as_str()?.to_owned(), doc(w)))).collect();
         let forms = list(&schema["anyOf"]).iter().map(|form| (kind(form, definitions), doc(form))).collect();
         Self { name: name.to_owned(), doc: doc(schema), keys, forms, words }
     }
@@ -90,7 +91,9 @@ impl TypeDoc {
             };
             pieces.iter().map(one).collect()
         };
-        let keys = self.keys.iter().map(|k| context! { name => k.name.clone(), doc => k.doc.clone(), required => k.required, kind => pieces(&k.kind) });
+        let keys = self.keys.iter().map(|k| {
+            context! { name => k.name.clone(), doc => k.doc.clone(), required => k.required, kind => pieces(&k.kind) }
+        });
         context! {
             name => spaced(&self.name),
             anchor => self.anchor(),
@@ -185,7 +188,11 @@ mod tests {
             assert!(!one.doc.is_empty(), "{} has no description", one.name);
             assert!(one.keys.iter().all(|k| !k.doc.is_empty()), "a key of {} has no description", one.name);
             let pieces = one.keys.iter().flat_map(|k| &k.kind);
-            assert!(pieces.into_iter().all(|p| *p != Piece::Text("anything".to_owned())), "a key of {} has no type", one.name);
+            assert!(
+                pieces.into_iter().all(|p| *p != Piece::Text("anything".to_owned())),
+                "a key of {} has no type",
+                one.name
+            );
         }
     }
 }

@@ -76,7 +76,8 @@
   function build(section) {
     const data = JSON.parse(section.querySelector("script").textContent);
     const id = "decode-" + serial++;
-    let value = data.reset;
+    const start = data.reset ?? 0;
+    let value = start;
     let position = 0;
     let rows = [];
 
@@ -87,7 +88,7 @@
     const out = element("div", { className: "out" });
     const bar = element("div", { className: "bar" }, element("label", { htmlFor: input.id }, "Value of " + data.name + " "), input);
     const button = (text, act) => bar.append(element("button", { type: "button", onclick: act }, text));
-    button("Reset value", () => change(data.reset));
+    if (data.reset !== null) button("Reset value", () => change(start));
     button("All 0", () => change(0));
     button("All 1", () => change(2 ** data.width - 1));
     if (data.elements.length > 1) {
@@ -165,7 +166,7 @@
         const { text, bad } = meaning(field, part);
         row.says.textContent = text;
         row.box.classList.toggle("bad", bad);
-        row.box.classList.toggle("changed", part !== get(data.reset, row.lsb, field.width));
+        row.box.classList.toggle("changed", part !== get(start, row.lsb, field.width));
         if (control.type === "checkbox") {
           control.checked = part === 1;
         } else if (control.tagName === "SELECT") {

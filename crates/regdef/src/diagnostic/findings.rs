@@ -1,6 +1,8 @@
 //! The list of findings while a file is loaded.
 
-use super::{Code, Diagnostic, Severity, Spot};
+use std::ops::Range;
+
+use super::{Code, Diagnostic, Label, Severity, Spot};
 
 /// Most errors, and most warnings, that are kept: a file that is wrong everywhere is not worth a longer list, and
 /// a hostile one must not fill the memory.
@@ -15,8 +17,11 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
-    /// Adds a finding, unless there are too many already.
+    /// Adds a finding, unless it is there already, as for a field that `like` copies, or there are too many.
     pub(crate) fn push(&mut self, finding: Diagnostic) {
+        if self.kept.contains(&finding) {
+            return;
+        }
         let count = match finding.code.severity() {
             Severity::Error => &mut self.errors,
             Severity::Warning => &mut self.warnings,
@@ -25,6 +30,22 @@ impl Findings {
         if *count <= MAX_FINDINGS {
             self.kept.push(finding);
         }
+    }
+
+    /// Changes the last finding, if it is about a place.
+    pub(crate) fn amend(&mut self, at: &Spot, change: impl FnOnce(&mut Diagnostic)) {
+        if let Some(last) = self.kept.last_mut()
+            && last.labels.first().is_some_and(|label| label.at == *at)
+        {
+            change(last);
+        }
+    }
+
+    /// Some finding is about exactly these bytes.
+    pub(crate) fn has_at(&self, range: &Range<usize>) -> bool {
+        self.kept
+            .iter()
+            .any(|finding| matches!(&finding.labels[..], [Label { at: Spot::Bytes(at), .. }, ..] if at == range))
     }
 
     /// Some finding is an error.

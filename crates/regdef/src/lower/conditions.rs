@@ -3,7 +3,7 @@
 use super::Lowering;
 use super::expression::{Literal, Parsed, parse};
 use crate::diagnostic::{Code, Diagnostic, Spot};
-use crate::model::{Comparison, Condition, ConditionId, Expr, Field, FieldRef, LaneIndex, MessageId};
+use crate::model::{Comparison, Condition, ConditionId, Expr, Field, FieldRef, LaneIndex, MessageId, Word};
 use crate::path::Path;
 use crate::syntax;
 
@@ -88,7 +88,11 @@ impl Lowering<'_> {
             syntax::Condition::Full(full) => (&full.expression, at.key("expression")),
         };
         let expr = if trail.len() > MAX_NAMES {
-            self.too_long("names of conditions lead to each other too often", &at);
+            let title = format!("the names in this condition lead through more than {MAX_NAMES} others");
+            self.find(
+                Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), title)
+                    .help("state it over fields: `CCCR.INIT && CCCR.CCE`"),
+            );
             None
         } else {
             self.parse_condition(text, &at).and_then(|parsed| {
@@ -104,21 +108,14 @@ impl Lowering<'_> {
         expr
     }
 
-    fn too_long(&mut self, what: &str, at: &Path) {
-        self.find(
-            Diagnostic::new(
-                Code::BadExpression,
-                Spot::Value(at.clone()),
-                format!("this condition is too long: {what}"),
-            )
-            .help(format!("a condition may compare {MAX_COMPARISONS} fields, names of other conditions written out")),
-        );
-    }
-
     fn short_enough(&mut self, expr: &Expr, at: &Path) -> bool {
         let count = comparisons(expr);
         if count > MAX_COMPARISONS {
-            self.too_long(&format!("it has {count} comparisons"), at);
+            let title = format!("this condition is too long: it has {count} comparisons");
+            self.find(
+                Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), title)
+                    .help(format!("{MAX_COMPARISONS} is the most, the names of other conditions written out")),
+            );
         }
         count <= MAX_COMPARISONS
     }
@@ -234,15 +231,30 @@ impl Lowering<'_> {
                     let (comparison, value) = plain(*comparison, value, target.width);
                     return Some(Expr::Word { message, word, field, comparison, value });
                 }
+                if !self.register_names.contains_key(register)
+                    && let Some(word) = self.word_of(message, register)
+                {
+                    let known = word.fields.iter().map(|f| f.name.as_str());
+                    let hint = self.hint(field, known, "unknown field");
+                    let title = format!("the word `{register}` has no field `{field}`");
+                    self.find(Diagnostic::new(Code::UnknownReference, Spot::Value(at.clone()), title).label(hint));
+                    return None;
+                }
                 let id = self.register_ref(register, at)?;
                 let field = self.field_of(id, field, at)?;
                 let target = self.out.model.field(field).clone();
                 let value = self.literal(&target, &self.out.model.field_path(field), value, at)?;
                 let (comparison, value) = plain(*comparison, value, target.width);
-                self.check_lane(field, *index, at);
+                if !self.check_lane(field, *index, at) {
+                    return None;
+                }
                 Some(Expr::Compare { field, index: *index, comparison, value })
             }
         }
+    }
+
+    fn word_of(&self, message: Option<MessageId>, name: &str) -> Option<&Word> {
+        self.out.model.messages[message?.0].words.iter().find(|word| word.name == name)
     }
 
     /// The place of `WORD.FIELD` in a message.
@@ -298,7 +310,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn check_lane(&mut self, field: FieldRef, index: LaneIndex, at: &Path) {
+    fn check_lane(&mut self, field: FieldRef, index: LaneIndex, at: &Path) -> bool {
         let register = self.out.model.register(field.register);
         let target = self.out.model.field(field);
         let elements = match (&register.dim, register.cluster) {
@@ -323,9 +335,11 @@ impl Lowering<'_> {
             }
             _ => None,
         };
+        let fine = title.is_none();
         if let Some(title) = title {
             self.find(Diagnostic::new(Code::BadExpression, Spot::Value(at.clone()), title));
         }
+        fine
     }
 }
 

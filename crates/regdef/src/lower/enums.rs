@@ -80,11 +80,15 @@ impl Lowering<'_> {
             }
             self.check_value_name(value_name, &place);
             if let Some(other) = variants.iter().find(|v| v.ident.pascal == Ident::new(value_name).pascal) {
+                let first = taken.iter().find(|(key, _)| key.first == other.first);
+                let first = first.map_or_else(|| at.clone(), |(key, _)| at.key(&key.spelling));
                 let title = format!("the enumeration has two values named `{value_name}`");
                 let title =
                     if other.name == *value_name { title } else { format!("{title} (the other is `{}`)", other.name) };
                 self.find(
                     Diagnostic::new(Code::DuplicateName, Spot::Value(place), title)
+                        .label("again here")
+                        .also(Spot::Value(first), "first here")
                         .help("give each value a name of its own, or one entry with a range of values"),
                 );
                 continue;

@@ -6,10 +6,11 @@ use super::Lowering;
 use super::references::{cites, weight};
 use crate::diagnostic::{Code, Diagnostic, Spot};
 use crate::model::{
-    Access, AccessCode, Cite, Field, FieldRef, FieldReset, Ident, Kind, Lanes, MessageId, RegisterId, bit_mask,
+    Access, AccessCode, Cite, EnumVariant, Field, FieldRef, FieldReset, Ident, Kind, Lanes, MessageId, RegisterId,
+    bit_mask,
 };
 use crate::path::Path;
-use crate::syntax::{self, BitRange};
+use crate::syntax::{self, BitRange, EnumDef, EnumValue, ValueKey};
 
 /// Most fields of a register or word: it has no more bits.
 const MAX_FIELDS: usize = 64;
@@ -149,17 +150,17 @@ impl Lowering<'_> {
                     Diagnostic::new(
                         Code::LimitTooWide,
                         Spot::Value(at.key("range").key(key)),
-                        format!("{value} does not fit the {width} bits of `{name}`"),
+                        format!("{value} does not fit the {} of `{name}`", bits(width)),
                     )
                     .label(format!("has to be at most {capacity}")),
                 );
             }
         }
-        if min > max {
+        if min > max && min <= capacity {
             self.find(Diagnostic::new(
                 Code::BadRange,
                 Spot::Value(at.key("range")),
-                format!("no value of `{name}` is between {min} and {max}"),
+                format!("no value of `{name}` is at least {min} and at most {max}"),
             ));
         }
         if let Some(must) = text.must_write
@@ -169,7 +170,7 @@ impl Lowering<'_> {
                 Diagnostic::new(
                     Code::LimitTooWide,
                     Spot::Value(at.key("must_write")),
-                    format!("{} does not fit the {width} bits of `{name}`", must.0),
+                    format!("{} does not fit the {} of `{name}`", must.0, bits(width)),
                 )
                 .label(format!("has to be at most {capacity}")),
             );
@@ -321,22 +322,32 @@ impl Lowering<'_> {
         let entry = &mut self.out.model.enums[id.0];
         entry.width = entry.width.max(width);
         let capacity = bit_mask(0, width);
-        let too_wide = entry
-            .variants
-            .iter()
-            .map(|v| (v.last, v.name.clone()))
-            .chain(entry.reserved.iter().map(|r| (r.1, "reserved".to_owned())))
-            .find(|(last, _)| *last > capacity);
-        if let Some((last, variant)) = too_wide {
-            let spot = Spot::Value(if text.enum_ref.is_some() { at.key("enum") } else { at.key("values") });
-            self.find(
-                Diagnostic::new(
-                    Code::EnumTooWide,
-                    spot,
-                    format!("the value {last} (`{variant}`) does not fit the {width} bits of `{name}`"),
-                )
-                .label(format!("the largest value is {capacity}")),
-            );
+        let of_entry = |v: &EnumVariant| (v.last, v.name.clone());
+        let values = entry.variants.iter().map(of_entry);
+        let values = values.chain(entry.reserved.iter().map(|r| (r.1, "reserved".to_owned())));
+        let too_wide: Vec<_> = values.filter(|(last, _)| *last > capacity).collect();
+        for (last, variant) in too_wide {
+            let same = |list: &IndexMap<ValueKey, EnumValue>| {
+                list.keys().find(|key| key.last == last).map(|key| key.spelling.clone()).unwrap_or_default()
+            };
+            let title = format!("the value {last} (`{variant}`) does not fit the {} of `{name}`", bits(width));
+            let limit = format!("has to be at most {capacity}");
+            let wide = |spot| Diagnostic::new(Code::EnumTooWide, spot, title.clone());
+            self.find(match (&text.enum_ref, &text.values) {
+                (_, Some(values)) => wide(Spot::Key(at.key("values").key(same(values))))
+                    .label(limit)
+                    .also(Spot::Value(at.key("bits")), "the bits"),
+                (Some(shared), None) => {
+                    let list = Path::root().key("enums").key(shared);
+                    let place = match self.text.enums.get(shared) {
+                        Some(EnumDef::Full(full)) => list.key("values").key(same(&full.values)),
+                        Some(EnumDef::Short(values)) => list.key(same(values)),
+                        None => list,
+                    };
+                    wide(Spot::Value(at.key("enum"))).label(limit).also(Spot::Key(place), "the value")
+                }
+                (None, None) => wide(Spot::Key(at.clone())),
+            });
         }
         Kind::Enum(id)
     }
@@ -357,7 +368,7 @@ impl Lowering<'_> {
                         Diagnostic::new(
                             Code::ResetTooWide,
                             Spot::Value(at.key("reset")),
-                            format!("the reset {:#x} does not fit the {width} bits of `{name}`", value.0),
+                            format!("the reset {:#x} does not fit the {} of `{name}`", value.0, bits(width)),
                         )
                         .label(format!("the largest value is {capacity:#x}")),
                     );
@@ -423,4 +434,9 @@ impl Lowering<'_> {
             }
         }
     }
+}
+
+/// "1 bit" or "3 bits".
+fn bits(width: u32) -> String {
+    if width == 1 { "1 bit".to_owned() } else { format!("{width} bits") }
 }

@@ -60,6 +60,13 @@ impl Lowering<'_> {
             for (index, target) in source.feeds.iter().enumerate() {
                 feeds.push((sources.len(), target.clone(), at.key("feeds").index(index)));
             }
+            if let Some(code) = source.code.as_ref().filter(|code| code.first > code.last) {
+                let title = format!("the codes of `{name}` end before they start");
+                self.find(
+                    Diagnostic::new(Code::BadRange, Spot::Value(at.key("code")), title)
+                        .label(format!("write \"{}..{}\"", code.last, code.first)),
+                );
+            }
             let field = self.out.model.field(flag);
             numbers.insert(name.clone(), InterruptId(sources.len()));
             sources.push(InterruptSource {
@@ -146,8 +153,15 @@ impl Lowering<'_> {
             let stem =
                 group.strip.as_ref().and_then(|strip| name.strip_suffix(strip.as_str())).unwrap_or(name).to_owned();
             let mut partner = |register: Option<RegisterId>, pattern: &Option<String>, key: &str| {
-                let wanted = pattern.as_deref().unwrap_or("{}").replace("{}", &stem);
-                register.and_then(|register| self.field_of(register, &wanted, &at.key(key)))
+                let pattern = pattern.as_deref().unwrap_or("{}");
+                let place = at.key(key);
+                let found = self.field_of(register?, &pattern.replace("{}", &stem), &place);
+                if found.is_none() {
+                    let help =
+                        format!("the group looks for `{pattern}` of the flag `{name}`; `except` leaves flags out");
+                    self.findings.amend(&Spot::Value(place), |finding| finding.help.push(help));
+                }
+                found
             };
             let enable = partner(enables, &group.enable_name, "enables");
             let select = partner(selects, &group.select_name, "selects");

@@ -105,21 +105,23 @@ impl Lowering<'_> {
             let copied = std::mem::take(&mut register.fields);
             let moved = std::mem::take(&mut origins);
             let mut fields = IndexMap::new();
+            let mut originals: IndexMap<String, String> = IndexMap::new();
             for ((key, field), origin) in copied.into_iter().zip(moved.into_values()) {
                 let copied_as = replace.text(&key);
-                if fields.contains_key(&copied_as) {
+                if let Some(other) = originals.get(&copied_as) {
                     self.find(
                         Diagnostic::new(
                             Code::DuplicateName,
                             Spot::Value(like_at.key("replace")),
-                            format!("the fields of `{}` would include `{copied_as}` twice", next),
+                            format!("two fields of `{next}` would be named `{copied_as}`"),
                         )
-                        .label(format!("makes `{copied_as}` of `{key}` too"))
+                        .label(format!("`{other}` and `{key}` both become `{copied_as}`"))
                         .also(Spot::Key(origin), format!("`{key}`"))
                         .help("replace a longer text that only one of them contains"),
                     );
                     continue;
                 }
+                originals.insert(copied_as.clone(), key);
                 let key = copied_as;
                 fields.insert(key.clone(), replace.field(field));
                 origins.insert(key, origin);

@@ -70,7 +70,7 @@ impl<'a> Lowering<'a> {
                 let base = self.out.model.messages[base_id.0].clone();
                 let bytes =
                     base.words.iter().flat_map(|w| &w.fields).map(|f| 256 + f.doc.len() + weight(&f.cites)).sum();
-                if base.word_width != word_width {
+                if base.word_width != word_width && matches!(text.word, 8 | 16 | 32) {
                     self.find(
                         Diagnostic::new(
                             Code::Contradiction,
@@ -121,7 +121,9 @@ impl<'a> Lowering<'a> {
             text.payload.as_ref().map(|p| self.payload(p, &at.key("payload"), &cites)).or(message.payload);
         let last = message.words.iter().map(|w| w.offset + u64::from(word_width / 8)).max().unwrap_or(0);
         message.header_bytes = message.payload.as_ref().map_or(last, |p| p.offset);
-        for (joined_name, (joined, at)) in self.all_joined(name) {
+        // What a base that is missing would hold is not to be reported once more.
+        let whole = text.extends.is_none() || message.words.iter().any(|word| !text.words.contains_key(&word.name));
+        for (joined_name, (joined, at)) in self.all_joined(name).into_iter().filter(|_| whole) {
             if let Some(joined) = self.message_joined(&message, joined_name, joined, &at) {
                 message.joined.push(joined);
             }

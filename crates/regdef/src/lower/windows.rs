@@ -45,15 +45,10 @@ impl Lowering<'_> {
             self.check_identifier(name, &at);
             let cites = self.cite(window.cite.as_ref(), &at);
             let Some(select) = self.field_ref(&window.select, &at.key("select")) else {
-                self.find(
-                    Diagnostic::new(
-                        Code::WindowWithoutSelector,
-                        Spot::Key(at.clone()),
-                        format!("the window `{name}` has no field that selects it"),
-                    )
-                    .also(Spot::Value(at.key("select")), "this is none")
-                    .help("`select` names the field whose value opens the window: `select: CTRL1.WIN`"),
-                );
+                self.findings.amend(&Spot::Value(at.key("select")), |finding| {
+                    finding.code = Code::WindowWithoutSelector;
+                    finding.title = format!("the window `{name}` has no field that selects it: {}", finding.title);
+                });
                 self.out.windows_known = false;
                 continue;
             };

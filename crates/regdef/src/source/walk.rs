@@ -108,6 +108,10 @@ impl Walk<'_> {
 
     fn syntax_error(&mut self, marker: saphyr_parser::Marker, info: &str) {
         let at = self.offset(marker);
+        if info == "recursion limit exceeded" {
+            self.too_deep(at);
+            return;
+        }
         let line_start = self.text[..at].rfind(['\n', '\r']).map_or(0, |at| at + 1);
         let indent_end =
             self.text[line_start..].find(|c| c != ' ' && c != '\t').map_or(self.text.len(), |n| line_start + n);
@@ -208,16 +212,21 @@ impl Walk<'_> {
         Some(self.nodes.add(place, Span { key, value }))
     }
 
+    fn too_deep(&mut self, at: usize) {
+        let bracket = Spot::Bytes(at..at + usize::from(at < self.text.len()));
+        self.findings.push(
+            Diagnostic::new(Code::TooDeep, bracket, format!("nesting is deeper than {MAX_DEPTH}"))
+                .label("too many levels")
+                .help("no construct of the language is nested this deep; look for unbalanced brackets"),
+        );
+    }
+
     fn start(&mut self, start: usize, content: Content) -> bool {
-        let bracket = Spot::Bytes(start..start + usize::from(start < self.text.len()));
         if self.open.len() >= MAX_DEPTH {
-            self.findings.push(
-                Diagnostic::new(Code::TooDeep, bracket, format!("nesting is deeper than {MAX_DEPTH}"))
-                    .label("one level too many")
-                    .help("no construct of the language is nested this deep; look for unbalanced brackets"),
-            );
+            self.too_deep(start);
             return false;
         }
+        let bracket = Spot::Bytes(start..start + usize::from(start < self.text.len()));
         if let Some(Open { content: Content::Mapping { pending: None, .. }, .. }) = self.open.last() {
             self.findings.push(
                 Diagnostic::new(Code::WrongType, bracket, "a mapping or list cannot be a key")
@@ -299,7 +308,6 @@ impl Walk<'_> {
     }
 
     fn odd(&mut self, odd: Odd, text: &str, range: Range<usize>) {
-        self.broken = true;
         self.findings.push(match odd {
             Odd::Fraction => Diagnostic::new(
                 Code::WrongType,
@@ -406,7 +414,6 @@ mod tests {
             "0..3",
             "1:2",
             "2.3.7",
-            "-",
             "+",
             ".",
             "..",
