@@ -1553,7 +1553,7 @@ static inline uint16_t dspic33_canfd_int_l_txif_get(uint16_t reg)
 /* Clears the given flags and no others: one store, no read. */
 static inline void dspic33_canfd_int_l_clear(dspic33_canfd_regs_t *regs, uint16_t flags)
 {
-    regs->INTL = (uint16_t)((0xF00CU & (uint16_t)~flags));
+    regs->INTL = (uint16_t)(0xF00CU & (uint16_t)~flags);
 }
 
 /* INTH: CAN Interrupt Register High.
@@ -2339,7 +2339,7 @@ static inline uint16_t dspic33_canfd_txqsta_txqnif_get(uint16_t reg)
 /* Clears the given flags and no others: one store, no read. */
 static inline void dspic33_canfd_txqsta_clear(dspic33_canfd_regs_t *regs, uint16_t flags)
 {
-    regs->TXQSTA = (uint16_t)((0x0010U & (uint16_t)~flags));
+    regs->TXQSTA = (uint16_t)(0x0010U & (uint16_t)~flags);
 }
 
 /* TEFCONL: CAN Transmit Event FIFO Control Register Low.
@@ -2543,7 +2543,7 @@ static inline uint16_t dspic33_canfd_tefsta_tefneif_get(uint16_t reg)
 /* Clears the given flags and no others: one store, no read. */
 static inline void dspic33_canfd_tefsta_clear(dspic33_canfd_regs_t *regs, uint16_t flags)
 {
-    regs->TEFSTA = (uint16_t)((0x0008U & (uint16_t)~flags));
+    regs->TEFSTA = (uint16_t)(0x0008U & (uint16_t)~flags);
 }
 
 /* TEFUAL: CAN Transmit Event FIFO User Address Register Low.
@@ -3643,7 +3643,7 @@ static inline volatile uint16_t *dspic33_canfd_fifo_sta(dspic33_canfd_regs_t *re
 static inline void dspic33_canfd_fifo_sta_clear(dspic33_canfd_regs_t *regs, unsigned int n, uint16_t flags)
 {
     DSPIC33_CANFD_ASSERT(n - 1U < 31U);
-    regs->FIFO[n - 1U].FIFOSTA = (uint16_t)((0x0018U & (uint16_t)~flags));
+    regs->FIFO[n - 1U].FIFOSTA = (uint16_t)(0x0018U & (uint16_t)~flags);
 }
 /* No read-modify-write: the read changes TXABT. Compose the whole value and store it. */
 
@@ -6602,9 +6602,9 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_mask_h_bits_t) == 2U, dspic33_c
 #define C1TXATIFH (*(const volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x02EU))
 #define C1TXATIFHbits (*(const volatile dspic33_canfd_txatif_h_bits_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x02EU))
 #define C1TXREQL (*(volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x030U))
-#define C1TXREQLbits (*(volatile dspic33_canfd_txreq_l_bits_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x030U))
+#define C1TXREQLbits (*(const volatile dspic33_canfd_txreq_l_bits_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x030U))
 #define C1TXREQH (*(volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x032U))
-#define C1TXREQHbits (*(volatile dspic33_canfd_txreq_h_bits_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x032U))
+#define C1TXREQHbits (*(const volatile dspic33_canfd_txreq_h_bits_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x032U))
 #define C1TRECL (*(const volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x034U))
 #define C1TRECLbits (*(const volatile dspic33_canfd_trec_l_bits_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x034U))
 #define C1TRECH (*(const volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C1_BASE + 0x036U))
@@ -7290,9 +7290,9 @@ DSPIC33_CANFD_STATIC_ASSERT(sizeof(dspic33_canfd_mask_h_bits_t) == 2U, dspic33_c
 #define C2TXATIFH (*(const volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x02EU))
 #define C2TXATIFHbits (*(const volatile dspic33_canfd_txatif_h_bits_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x02EU))
 #define C2TXREQL (*(volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x030U))
-#define C2TXREQLbits (*(volatile dspic33_canfd_txreq_l_bits_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x030U))
+#define C2TXREQLbits (*(const volatile dspic33_canfd_txreq_l_bits_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x030U))
 #define C2TXREQH (*(volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x032U))
-#define C2TXREQHbits (*(volatile dspic33_canfd_txreq_h_bits_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x032U))
+#define C2TXREQHbits (*(const volatile dspic33_canfd_txreq_h_bits_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x032U))
 #define C2TRECL (*(const volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x034U))
 #define C2TRECLbits (*(const volatile dspic33_canfd_trec_l_bits_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x034U))
 #define C2TRECH (*(const volatile uint16_t *)((uintptr_t)DSPIC33_CANFD_C2_BASE + 0x036U))

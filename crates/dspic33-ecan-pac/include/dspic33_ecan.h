@@ -760,7 +760,7 @@ static inline uint16_t dspic33_ecan_intf_tbif_get(uint16_t reg)
 /* Clears the given flags and no others: one store, no read. */
 static inline void dspic33_ecan_intf_clear(dspic33_ecan_regs_t *regs, uint16_t flags)
 {
-    regs->INTF = (uint16_t)((0x00EFU & (uint16_t)~flags));
+    regs->INTF = (uint16_t)(0x00EFU & (uint16_t)~flags);
 }
 
 /* INTE: CAN Interrupt Enable Register.
@@ -1220,7 +1220,7 @@ static inline volatile uint16_t *dspic33_ecan_rxful(dspic33_ecan_regs_t *regs, u
 static inline void dspic33_ecan_rxful_clear(dspic33_ecan_regs_t *regs, unsigned int n, uint16_t flags)
 {
     DSPIC33_ECAN_ASSERT(n - 1U < 2U);
-    regs->WINDOW.BUFFER.RXFUL[n - 1U] = (uint16_t)((0xFFFFU & (uint16_t)~flags));
+    regs->WINDOW.BUFFER.RXFUL[n - 1U] = (uint16_t)(0xFFFFU & (uint16_t)~flags);
 }
 
 /* RXOVF: CAN Receive Buffer Overflow Register.
@@ -1262,7 +1262,7 @@ static inline volatile uint16_t *dspic33_ecan_rxovf(dspic33_ecan_regs_t *regs, u
 static inline void dspic33_ecan_rxovf_clear(dspic33_ecan_regs_t *regs, unsigned int n, uint16_t flags)
 {
     DSPIC33_ECAN_ASSERT(n - 1U < 2U);
-    regs->WINDOW.BUFFER.RXOVF[n - 1U] = (uint16_t)((0xFFFFU & (uint16_t)~flags));
+    regs->WINDOW.BUFFER.RXOVF[n - 1U] = (uint16_t)(0xFFFFU & (uint16_t)~flags);
 }
 
 /* TRCON: CAN TX/RX Buffer Control Register.

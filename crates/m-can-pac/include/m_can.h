@@ -2096,7 +2096,7 @@ static inline uint32_t m_can_ir_rf0n_get(uint32_t reg)
 /* Clears the given flags and no others: one store, no read. */
 static inline void m_can_ir_clear(m_can_regs_t *regs, uint32_t flags)
 {
-    regs->IR = (uint32_t)((flags & UINT32_C(0x3FFFFFFF)));
+    regs->IR = (uint32_t)(flags & UINT32_C(0x3FFFFFFF));
 }
 
 /* IE: Interrupt Enable.
@@ -3440,7 +3440,7 @@ static inline uint32_t m_can_ndat1_nd_get(uint32_t reg, unsigned int lane)
 /* Clears the given flags and no others: one store, no read. */
 static inline void m_can_ndat1_clear(m_can_regs_t *regs, uint32_t flags)
 {
-    regs->NDAT1 = (uint32_t)((flags & UINT32_C(0xFFFFFFFF)));
+    regs->NDAT1 = (uint32_t)(flags & UINT32_C(0xFFFFFFFF));
 }
 
 /* NDAT2: New Data 2.
@@ -3471,7 +3471,7 @@ static inline uint32_t m_can_ndat2_nd_get(uint32_t reg, unsigned int lane)
 /* Clears the given flags and no others: one store, no read. */
 static inline void m_can_ndat2_clear(m_can_regs_t *regs, uint32_t flags)
 {
-    regs->NDAT2 = (uint32_t)((flags & UINT32_C(0xFFFFFFFF)));
+    regs->NDAT2 = (uint32_t)(flags & UINT32_C(0xFFFFFFFF));
 }
 
 /* RXF0C: Rx FIFO 0 Configuration.

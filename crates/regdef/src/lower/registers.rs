@@ -148,7 +148,7 @@ impl Lowering<'_> {
             fields,
             unsafe_write: text.unsafe_write.clone(),
             hazards: text.hazards.clone(),
-            aliased: !text.no_aliases && !text.device,
+            aliased: !text.no_aliases && !text.device && !self.text.aliases.is_empty(),
         };
         (register, Origin { path: at.clone(), fields: paths })
     }
