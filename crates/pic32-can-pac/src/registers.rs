@@ -1632,15 +1632,6 @@ impl<B: regbus::Bus> regbus::Modify<B> for FifoBa {
     const ONES: u32 = 0x0000_0000;
     const UNSAFE: bool = true;
 }
-impl regbus::AliasClear for FifoBa {
-    const OFFSET: usize = 0x4;
-}
-impl regbus::AliasSet for FifoBa {
-    const OFFSET: usize = 0x8;
-}
-impl regbus::AliasInvert for FifoBa {
-    const OFFSET: usize = 0xc;
-}
 /// CAN FIFO Control Register.
 ///
 /// `CiFIFOCON`, 32 bits, offset `0x0` of each `FIFO`, reset `0x00000000`.

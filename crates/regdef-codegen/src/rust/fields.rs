@@ -220,7 +220,9 @@ fn flag(model: &Model, holder: &Holder<'_>, field: &Field) -> Option<TokenStream
     let headline = doc::headline(model, field);
     Some(match field.lanes {
         None => {
-            let name = ident(&field.ident.upper);
+            // Every value type has constants of these names.
+            let taken = matches!(field.ident.upper.as_str(), "ZERO" | "RESET");
+            let name = ident(&if taken { format!("{}_BIT", field.ident.upper) } else { field.ident.upper.clone() });
             let mask = hex(field.mask(), holder.width);
             let docs = doc::doc(&[headline]);
             quote!(#docs pub const #name: Self = Self(#mask);)

@@ -10,7 +10,7 @@ use super::{doc, ident, peripheral};
 pub(super) fn module(model: &Model) -> TokenStream {
     let modify = model.registers.iter().filter_map(|register| {
         let reason = register.capabilities.modify.as_ref().err()?;
-        let (message, note) = no_modify_reason(register, reason);
+        let (message, note) = no_modify_reason(model, register, reason);
         let name = ident(&format!("{}HasNoModify", register.ident.pascal));
         let docs = doc::doc(&[format!("{message}; {note}.")]);
         Some(guard(&docs, &name, &message, "no `modify` for this register", &note))
