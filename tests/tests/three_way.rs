@@ -1,4 +1,4 @@
-//! Model, SVD and C header agree on every field: place, mask, width, access and reset.
+//! Rust metadata, SVD and C header agree with the model on every field: place, mask, width, access and reset.
 //!
 //! The SVD is parsed back by a parser that no one here wrote; the header is compiled by five compilers, and what it
 //! says is read out of the object files.
@@ -7,6 +7,8 @@
 mod c;
 #[path = "three_way/compiler.rs"]
 mod compiler;
+#[path = "three_way/rust.rs"]
+mod rust;
 #[path = "three_way/svd.rs"]
 mod svd;
 
@@ -19,6 +21,18 @@ fn files() -> Vec<PathBuf> {
     let files = all_descriptions();
     assert!(!files.is_empty(), "no description found");
     files
+}
+
+#[test]
+fn the_metadata_of_the_crates_says_what_the_model_says() {
+    let mut controllers = 0;
+    for file in canpac_tests::descriptions("regdefs") {
+        let model = model(&file);
+        let controller = rust::controller(&model).expect("every description in regdefs/ has a crate");
+        assert!(rust::compare(&model, controller) > 50, "{}: too few fields compared", file.display());
+        controllers += 1;
+    }
+    assert_eq!(controllers, 4);
 }
 
 #[test]
