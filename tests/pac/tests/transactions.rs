@@ -18,7 +18,11 @@ fn accesses(recorder: &Recorder, operation: impl FnOnce(&Recorder)) -> Vec<Acces
 /// What a panic says.
 fn panic_of(operation: impl FnOnce()) -> String {
     let payload = catch_unwind(AssertUnwindSafe(operation)).expect_err("the operation panics");
-    payload.downcast_ref::<&str>().map(ToString::to_string).or_else(|| payload.downcast_ref::<String>().cloned()).expect("text")
+    payload
+        .downcast_ref::<&str>()
+        .map(ToString::to_string)
+        .or_else(|| payload.downcast_ref::<String>().cloned())
+        .expect("text")
 }
 
 mod m_can {
@@ -115,11 +119,7 @@ mod m_can {
         });
         assert_eq!(
             log,
-            [
-                write(32, 0x100, 0x4000_0000 | 0x1234_5678),
-                write(32, 0x108, 0x0403_0201),
-                write(32, 0x10C, 0xCCCC_CC05),
-            ]
+            [write(32, 0x100, 0x4000_0000 | 0x1234_5678), write(32, 0x108, 0x0403_0201), write(32, 0x10C, 0xCCCC_CC05),]
         );
     }
 
@@ -176,7 +176,8 @@ mod dspic33_canfd {
     #[test]
     fn requests_are_one_write() {
         let bus = Recorder::holding(16, 0x30, 0x0001);
-        let log = accesses(&bus, |bus| Dspic33Canfd::new(bus).txreq_l().request(TxreqL::ZERO | TxreqL::from_bits(0x0008)));
+        let log =
+            accesses(&bus, |bus| Dspic33Canfd::new(bus).txreq_l().request(TxreqL::ZERO | TxreqL::from_bits(0x0008)));
         assert_eq!(log, [write(16, 0x30, 0x0008)]);
     }
 
@@ -291,7 +292,10 @@ mod dspic33_ecan {
         });
         assert_eq!(message, "rxf_sid takes 0..=15");
         let log = bus.take();
-        assert_eq!(log, [read(16, 0x00, CTRL1), write(16, 0x00, 0x2401), read(16, 0x00, 0x2401), write(16, 0x00, 0x2400)]);
+        assert_eq!(
+            log,
+            [read(16, 0x00, CTRL1), write(16, 0x00, 0x2401), read(16, 0x00, 0x2401), write(16, 0x00, 0x2400)]
+        );
     }
 
     #[test]
