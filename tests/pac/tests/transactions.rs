@@ -106,8 +106,18 @@ mod m_can {
 
     #[test]
     fn an_out_of_range_setter_says_what_is_allowed() {
-        assert_eq!(panic_of(|| drop(Nbtp::RESET.with_nsjw(200))), "NBTP.NSJW takes 0..=127");
-        assert_eq!(panic_of(|| drop(Txbar::ar_bit(32))), "TXBAR.AR takes 0..=31");
+        assert_eq!(
+            panic_of(|| {
+                let _ = Nbtp::RESET.with_nsjw(200);
+            }),
+            "NBTP.NSJW takes 0..=127"
+        );
+        assert_eq!(
+            panic_of(|| {
+                let _ = Txbar::ar_bit(32);
+            }),
+            "TXBAR.AR takes 0..=31"
+        );
     }
 
     #[test]
@@ -230,14 +240,34 @@ mod dspic33_canfd {
         // Manual numbers: FIFOs 1 to 31, 12 bytes apart.
         assert_eq!(can.fifo(2).con_l().offset() - can.fifo(1).con_l().offset(), 12);
         assert_eq!(can.fifo(31).sta().offset() - can.fifo(1).sta().offset(), 30 * 12);
-        assert_eq!(panic_of(|| drop(can.fifo(0))), "fifo takes 1..=31");
-        assert_eq!(panic_of(|| drop(can.fifo(32))), "fifo takes 1..=31");
+        assert_eq!(
+            panic_of(|| {
+                let _ = can.fifo(0);
+            }),
+            "fifo takes 1..=31"
+        );
+        assert_eq!(
+            panic_of(|| {
+                let _ = can.fifo(32);
+            }),
+            "fifo takes 1..=31"
+        );
         // Two filters to a register.
         let (register, lane) = can.flt_con_of(5);
         assert_eq!((register.offset(), lane), (can.flt_con(2).offset(), 1));
         assert_eq!(FltCon::RESET.with_flten(1, true).bits(), 0x8000);
-        assert_eq!(panic_of(|| drop(FltCon::RESET.with_flten(2, true))), "FLTCON.FLTEN takes 0..=1");
-        assert_eq!(panic_of(|| drop(can.flt_con_of(32))), "flt_con_of takes 0..=31");
+        assert_eq!(
+            panic_of(|| {
+                let _ = FltCon::RESET.with_flten(2, true);
+            }),
+            "FLTCON.FLTEN takes 0..=1"
+        );
+        assert_eq!(
+            panic_of(|| {
+                let _ = can.flt_con_of(32);
+            }),
+            "flt_con_of takes 0..=31"
+        );
         assert_eq!(bus.take(), [], "naming a register does not access it");
     }
 }
