@@ -19,25 +19,25 @@ pub trait CrelHasNoModify: sealed::Never {}
     note = "use `read`"
 )]
 pub trait EndnHasNoModify: sealed::Never {}
-/// `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
+/// `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and INIT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
-    message = "`Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write",
+    message = "`Cccr` cannot be read-modified-written: hardware changes CSR, ASM and INIT between the read and the write",
     label = "no `modify` for this register",
     note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait CccrHasNoModify: sealed::Never {}
-/// `Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
+/// `Tscv` cannot be read-modified-written: any write clears or presets TSC; use `write(Tscv::ZERO)` if that is what you want.
 #[diagnostic::on_unimplemented(
-    message = "`Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write",
+    message = "`Tscv` cannot be read-modified-written: any write clears or presets TSC",
     label = "no `modify` for this register",
-    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
+    note = "use `write(Tscv::ZERO)` if that is what you want"
 )]
 pub trait TscvHasNoModify: sealed::Never {}
-/// `Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
+/// `Tocv` cannot be read-modified-written: any write clears or presets TOC; use `write(Tocv::ZERO)` if that is what you want.
 #[diagnostic::on_unimplemented(
-    message = "`Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write",
+    message = "`Tocv` cannot be read-modified-written: any write clears or presets TOC",
     label = "no `modify` for this register",
-    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
+    note = "use `write(Tocv::ZERO)` if that is what you want"
 )]
 pub trait TocvHasNoModify: sealed::Never {}
 /// `Ecr` cannot be read-modified-written: it is read-only; use `read`.

@@ -550,7 +550,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rwd {
 ///
 /// Hazard: Clearing INIT also clears CCE. Set INIT first, wait until it reads 1, then set CCE in a second write.
 ///
-/// No `modify`: `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
+/// No `modify`: `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and INIT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -1118,7 +1118,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tscc {
 ///
 /// Hazard: A write to any one of the four bytes resets the counter, even to a byte that holds no bit of it.
 ///
-/// No `modify`: `Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
+/// No `modify`: `Tscv` cannot be read-modified-written: any write clears or presets TSC; use `write(Tscv::ZERO)` if that is what you want.
 ///
 /// # Fields
 ///
@@ -1244,7 +1244,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tocc {
 ///
 /// Hazard: In Continuous Mode a write to any one of the four bytes presets the counter, even to a byte that holds no bit of it.
 ///
-/// No `modify`: `Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
+/// No `modify`: `Tocv` cannot be read-modified-written: any write clears or presets TOC; use `write(Tocv::ZERO)` if that is what you want.
 ///
 /// # Fields
 ///

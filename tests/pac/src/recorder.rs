@@ -73,9 +73,8 @@ impl Recorder {
     #[must_use]
     pub fn peek(&self, bits: u32, offset: usize) -> u32 {
         let memory = self.memory.borrow();
-        (0..bits as usize / 8).fold(0, |word, index| {
-            word | u32::from(memory.get(&(offset + index)).copied().unwrap_or(0)) << (8 * index)
-        })
+        (0..bits as usize / 8)
+            .fold(0, |word, index| word | u32::from(memory.get(&(offset + index)).copied().unwrap_or(0)) << (8 * index))
     }
 
     /// Sets bits right after the next read of an offset, as hardware does between the read and the write of a

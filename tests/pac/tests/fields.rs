@@ -29,7 +29,9 @@ fn holders() -> Vec<(String, u32, &'static [Field])> {
 }
 
 fn registers() -> impl Iterator<Item = (&'static Controller, &'static RegisterInfo)> {
-    CONTROLLERS.into_iter().flat_map(|controller| controller.registers.iter().map(move |register| (controller, register)))
+    CONTROLLERS
+        .into_iter()
+        .flat_map(|controller| controller.registers.iter().map(move |register| (controller, register)))
 }
 
 fn word_mask(width: u32) -> u32 {
@@ -40,7 +42,8 @@ fn word_mask(width: u32) -> u32 {
 fn the_descriptions_are_complete() {
     let of = |name: &str| CONTROLLERS.into_iter().find(|c| c.name == name).expect("a controller of this name");
     // The manual's own counts: M_CAN Table 1 has 47 registers, ECAN Tables 3-1 to 3-8 have 65, PIC32 has 181.
-    let physical = |name: &str| of(name).registers.iter().filter(|r| r.offset.is_some()).map(RegisterInfo::count).sum::<u32>();
+    let physical =
+        |name: &str| of(name).registers.iter().filter(|r| r.offset.is_some()).map(RegisterInfo::count).sum::<u32>();
     assert_eq!(physical("m_can"), 47);
     assert_eq!(physical("dspic33_ecan"), 65);
     assert_eq!(physical("pic32_can"), 181);
@@ -68,7 +71,13 @@ fn limits_and_resets_fit_the_fields() {
     for (name, _, fields) in holders() {
         for field in fields {
             let most = regbus::bits::mask(u32::from(field.width));
-            assert!(field.min <= field.max && field.max <= most, "{name}.{}: {}..={}", field.name, field.min, field.max);
+            assert!(
+                field.min <= field.max && field.max <= most,
+                "{name}.{}: {}..={}",
+                field.name,
+                field.min,
+                field.max
+            );
             assert!(field.reset.is_none_or(|reset| reset <= most), "{name}.{}", field.name);
             for (first, last, value) in field.values.iter().flat_map(|values| values.values) {
                 assert!(first <= last && *last <= most, "{name}.{}.{value} does not fit", field.name);
@@ -87,7 +96,9 @@ fn registers_do_not_share_addresses_unless_a_window_tells_them_apart() {
                     let Some(offset) = register.offset_of(element, inner) else { continue };
                     assert_eq!(offset % (u32::from(register.width) / 8), 0, "{} is not aligned", register.name);
                     assert!(offset < controller.span, "{} lies outside the block", register.name);
-                    bytes.extend((0..u32::from(register.width) / 8).map(|byte| (offset + byte, register.window, register.name)));
+                    bytes.extend(
+                        (0..u32::from(register.width) / 8).map(|byte| (offset + byte, register.window, register.name)),
+                    );
                 }
             }
         }

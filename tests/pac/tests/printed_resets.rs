@@ -185,7 +185,11 @@ fn from_fields(register: &RegisterInfo) -> (u32, u32) {
 }
 
 fn register(controller: &Controller, name: &str) -> &'static RegisterInfo {
-    match controller.registers.iter().find(|register| register.name == name || register.label.replace("{n}", "n") == name) {
+    match controller
+        .registers
+        .iter()
+        .find(|register| register.name == name || register.label.replace("{n}", "n") == name)
+    {
         Some(register) => register,
         None => panic!("{} has no register {name}", controller.name),
     }
@@ -203,7 +207,9 @@ fn m_can_table_1() {
         let pin = if name == "TEST" { 1 << 7 } else { 0 };
         assert_eq!(unknown & pin, pin, "{name}");
         match u32::from_str_radix(&printed.replace(' ', ""), 16) {
-            Ok(printed) => assert_eq!((value, unknown & !pin), (printed, 0), "{name}: {value:#010x} is not {printed:#010x}"),
+            Ok(printed) => {
+                assert_eq!((value, unknown & !pin), (printed, 0), "{name}: {value:#010x} is not {printed:#010x}")
+            }
             Err(_) => assert_eq!(unknown, u32::MAX, "{name} has no printed reset ({printed})"),
         }
     }

@@ -18,7 +18,11 @@ fn accesses(recorder: &Recorder, operation: impl FnOnce(&Recorder)) -> Vec<Acces
 /// What a panic says.
 fn panic_of(operation: impl FnOnce()) -> String {
     let payload = catch_unwind(AssertUnwindSafe(operation)).expect_err("the operation panics");
-    payload.downcast_ref::<&str>().map(ToString::to_string).or_else(|| payload.downcast_ref::<String>().cloned()).expect("text")
+    payload
+        .downcast_ref::<&str>()
+        .map(ToString::to_string)
+        .or_else(|| payload.downcast_ref::<String>().cloned())
+        .expect("text")
 }
 
 mod m_can {
@@ -102,8 +106,18 @@ mod m_can {
 
     #[test]
     fn an_out_of_range_setter_says_what_is_allowed() {
-        assert_eq!(panic_of(|| drop(Nbtp::RESET.with_nsjw(200))), "NBTP.NSJW takes 0..=127");
-        assert_eq!(panic_of(|| drop(Txbar::ar_bit(32))), "TXBAR.AR takes 0..=31");
+        assert_eq!(
+            panic_of(|| {
+                let _ = Nbtp::RESET.with_nsjw(200);
+            }),
+            "NBTP.NSJW takes 0..=127"
+        );
+        assert_eq!(
+            panic_of(|| {
+                let _ = Txbar::ar_bit(32);
+            }),
+            "TXBAR.AR takes 0..=31"
+        );
     }
 
     #[test]
@@ -115,11 +129,7 @@ mod m_can {
         });
         assert_eq!(
             log,
-            [
-                write(32, 0x100, 0x4000_0000 | 0x1234_5678),
-                write(32, 0x108, 0x0403_0201),
-                write(32, 0x10C, 0xCCCC_CC05),
-            ]
+            [write(32, 0x100, 0x4000_0000 | 0x1234_5678), write(32, 0x108, 0x0403_0201), write(32, 0x10C, 0xCCCC_CC05),]
         );
     }
 
@@ -176,7 +186,8 @@ mod dspic33_canfd {
     #[test]
     fn requests_are_one_write() {
         let bus = Recorder::holding(16, 0x30, 0x0001);
-        let log = accesses(&bus, |bus| Dspic33Canfd::new(bus).txreq_l().request(TxreqL::ZERO | TxreqL::from_bits(0x0008)));
+        let log =
+            accesses(&bus, |bus| Dspic33Canfd::new(bus).txreq_l().request(TxreqL::ZERO | TxreqL::from_bits(0x0008)));
         assert_eq!(log, [write(16, 0x30, 0x0008)]);
     }
 
@@ -229,14 +240,34 @@ mod dspic33_canfd {
         // Manual numbers: FIFOs 1 to 31, 12 bytes apart.
         assert_eq!(can.fifo(2).con_l().offset() - can.fifo(1).con_l().offset(), 12);
         assert_eq!(can.fifo(31).sta().offset() - can.fifo(1).sta().offset(), 30 * 12);
-        assert_eq!(panic_of(|| drop(can.fifo(0))), "fifo takes 1..=31");
-        assert_eq!(panic_of(|| drop(can.fifo(32))), "fifo takes 1..=31");
+        assert_eq!(
+            panic_of(|| {
+                let _ = can.fifo(0);
+            }),
+            "fifo takes 1..=31"
+        );
+        assert_eq!(
+            panic_of(|| {
+                let _ = can.fifo(32);
+            }),
+            "fifo takes 1..=31"
+        );
         // Two filters to a register.
         let (register, lane) = can.flt_con_of(5);
         assert_eq!((register.offset(), lane), (can.flt_con(2).offset(), 1));
         assert_eq!(FltCon::RESET.with_flten(1, true).bits(), 0x8000);
-        assert_eq!(panic_of(|| drop(FltCon::RESET.with_flten(2, true))), "FLTCON.FLTEN takes 0..=1");
-        assert_eq!(panic_of(|| drop(can.flt_con_of(32))), "flt_con_of takes 0..=31");
+        assert_eq!(
+            panic_of(|| {
+                let _ = FltCon::RESET.with_flten(2, true);
+            }),
+            "FLTCON.FLTEN takes 0..=1"
+        );
+        assert_eq!(
+            panic_of(|| {
+                let _ = can.flt_con_of(32);
+            }),
+            "flt_con_of takes 0..=31"
+        );
         assert_eq!(bus.take(), [], "naming a register does not access it");
     }
 }
@@ -291,7 +322,10 @@ mod dspic33_ecan {
         });
         assert_eq!(message, "rxf_sid takes 0..=15");
         let log = bus.take();
-        assert_eq!(log, [read(16, 0x00, CTRL1), write(16, 0x00, 0x2401), read(16, 0x00, 0x2401), write(16, 0x00, 0x2400)]);
+        assert_eq!(
+            log,
+            [read(16, 0x00, CTRL1), write(16, 0x00, 0x2401), read(16, 0x00, 0x2401), write(16, 0x00, 0x2400)]
+        );
     }
 
     #[test]

@@ -115,7 +115,8 @@ pub(super) fn no_modify_reason(model: &Model, register: &Register, reason: &NoMo
         ),
         NoModify::NoNeutral(fields) => {
             let of_these = |field: &&Field| fields.contains(&field.name);
-            let any_write_clears = register.fields.iter().filter(of_these).all(|f| f.access.code.write_effect() == WriteEffect::Resets);
+            let any_write_clears =
+                register.fields.iter().filter(of_these).all(|f| f.access.code.write_effect() == WriteEffect::Resets);
             if any_write_clears {
                 (
                     format!("`{name}` cannot be read-modified-written: any write clears or presets {}", list(fields)),
@@ -127,7 +128,11 @@ pub(super) fn no_modify_reason(model: &Model, register: &Register, reason: &NoMo
                         "`{name}` cannot be read-modified-written: hardware changes {} between the read and the write",
                         list(fields)
                     ),
-                    alternatives(model, register, "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"),
+                    alternatives(
+                        model,
+                        register,
+                        "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`",
+                    ),
                 )
             }
         }
