@@ -98,11 +98,15 @@ pub fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> O
     known
         .into_iter()
         .filter(|candidate| name.len() <= LONGEST_NAME && close(candidate))
+        .take(MOST_NAMES)
         .map(|candidate| (strsim::damerau_levenshtein(&lower, &candidate.to_lowercase()), candidate))
         .filter(|(distance, candidate)| *distance <= allowed(candidate) && *distance < lower.chars().count())
         .min()
         .map(|(_, candidate)| format!("did you mean `{candidate}`?"))
 }
+
+/// Most names that one is compared with.
+const MOST_NAMES: usize = 1000;
 
 /// Longest name that is worth a suggestion.
 const LONGEST_NAME: usize = 80;

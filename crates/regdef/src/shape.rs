@@ -56,7 +56,9 @@ fn explain(error: &ValidationError<'_>, source: &Source, findings: &mut Findings
         ValidationErrorKind::AdditionalProperties { unexpected } => {
             let known = keys_at(error, "properties");
             for key in unexpected {
-                findings.push(unknown_key(&at, key, &known));
+                // Further ones are only counted.
+                let names = if findings.full() { &[] } else { &known[..] };
+                findings.push(unknown_key(&at, key, names));
             }
         }
         ValidationErrorKind::Required { property } => {

@@ -6,8 +6,8 @@ use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::{FieldRef, RegisterId};
 
-/// Most fields whose circles are searched for: each search can lead through all others.
-const MAX_SEARCHES: usize = 1000;
+/// Most steps of the search for circles, which a description that is made to be hard could draw out.
+const MAX_STEPS: usize = 1_000_000;
 
 /// Which fields a field waits for.
 type Waits = HashMap<FieldRef, Vec<FieldRef>>;
@@ -26,9 +26,9 @@ pub(super) fn conditions(lowered: &Lowered, findings: &mut Findings) {
         }
     }
     reduce(&mut waits);
-    let left: Vec<_> = order.into_iter().filter(|field| waits.contains_key(field)).take(MAX_SEARCHES).collect();
-    for start in left {
-        let Some(circle) = circle(start, &waits) else { continue };
+    let mut steps = MAX_STEPS;
+    for start in order {
+        let Some(circle) = circle(start, &waits, &mut steps) else { continue };
         // One finding for each circle: its fields need not be looked at again.
         for field in &circle {
             waits.remove(field);
@@ -50,26 +50,41 @@ pub(super) fn conditions(lowered: &Lowered, findings: &mut Findings) {
     }
 }
 
-/// Takes away, again and again, the fields that wait for nothing that waits: what is left is circles and the ways
-/// into them.
+/// Leaves only what is in a circle or on a way from one circle to another.
 fn reduce(waits: &mut Waits) {
-    let mut waiting_for: Waits = HashMap::new();
-    let mut open: HashMap<FieldRef, usize> = HashMap::new();
-    for (field, needs) in waits.iter() {
-        let needs: Vec<_> = needs.iter().filter(|need| waits.contains_key(need)).collect();
-        open.insert(*field, needs.len());
-        for need in needs {
-            waiting_for.entry(*need).or_default().push(*field);
+    waits.values_mut().for_each(|needs| {
+        needs.sort_unstable_by_key(|at| (at.register.0, at.field));
+        needs.dedup();
+    });
+    take_ends(waits);
+    let mut waited_for = reversed(waits);
+    take_ends(&mut waited_for);
+    waits.retain(|field, _| waited_for.contains_key(field));
+}
+
+fn reversed(edges: &Waits) -> Waits {
+    let mut other = Waits::new();
+    for (from, list) in edges {
+        for to in list.iter().filter(|to| edges.contains_key(to)) {
+            other.entry(*to).or_default().push(*from);
         }
     }
-    let mut free: Vec<_> = open.iter().filter(|(_, count)| **count == 0).map(|(field, _)| *field).collect();
-    while let Some(field) = free.pop() {
-        waits.remove(&field);
-        for waiting in waiting_for.get(&field).into_iter().flatten() {
-            if let Some(count) = open.get_mut(waiting) {
+    other
+}
+
+/// Takes away, again and again, the fields that lead to no other.
+fn take_ends(edges: &mut Waits) {
+    let back = reversed(edges);
+    let inside = |list: &Vec<FieldRef>| list.iter().filter(|to| edges.contains_key(to)).count();
+    let mut open: HashMap<FieldRef, usize> = edges.iter().map(|(from, list)| (*from, inside(list))).collect();
+    let mut ends: Vec<_> = open.iter().filter(|(_, count)| **count == 0).map(|(field, _)| *field).collect();
+    while let Some(field) = ends.pop() {
+        edges.remove(&field);
+        for from in back.get(&field).into_iter().flatten() {
+            if let Some(count) = open.get_mut(from) {
                 *count -= 1;
                 if *count == 0 {
-                    free.push(*waiting);
+                    ends.push(*from);
                 }
             }
         }
@@ -77,11 +92,12 @@ fn reduce(waits: &mut Waits) {
 }
 
 /// A shortest way from a field back to itself.
-fn circle(start: FieldRef, waits: &Waits) -> Option<Vec<FieldRef>> {
+fn circle(start: FieldRef, waits: &Waits, steps: &mut usize) -> Option<Vec<FieldRef>> {
     let mut reached_from: HashMap<FieldRef, FieldRef> = HashMap::new();
     let mut next = std::collections::VecDeque::from([start]);
     while let Some(field) = next.pop_front() {
         for need in waits.get(&field).into_iter().flatten() {
+            *steps = steps.checked_sub(1)?;
             if *need == start {
                 let mut trail = vec![field];
                 while trail[trail.len() - 1] != start {

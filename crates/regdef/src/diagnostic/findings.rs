@@ -19,13 +19,13 @@ pub(crate) struct Findings {
 impl Findings {
     /// Adds a finding, unless it is there already, as for a field that `like` copies, or there are too many.
     pub(crate) fn push(&mut self, finding: Diagnostic) {
-        if self.kept.contains(&finding) {
-            return;
-        }
         let count = match finding.code.severity() {
             Severity::Error => &mut self.errors,
             Severity::Warning => &mut self.warnings,
         };
+        if *count < MAX_FINDINGS && self.kept.contains(&finding) {
+            return;
+        }
         *count += 1;
         if *count <= MAX_FINDINGS {
             self.kept.push(finding);
