@@ -19,6 +19,7 @@ mod fault;
 mod field;
 mod level;
 mod node;
+pub mod output;
 mod protocol;
 mod schedule;
 mod time;

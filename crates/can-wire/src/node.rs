@@ -127,7 +127,10 @@ impl Node {
     }
 
     fn watches_edges(&self) -> bool {
-        self.clock.may_sync || self.measuring.is_some() || self.wake_armed || self.filtered_edge.is_some()
+        self.clock.may_sync
+            || self.measuring.is_some()
+            || self.wake_armed
+            || self.filtered_edge.is_some()
     }
 
     /// The level the node sees: its input, with what the mode loops back.
@@ -157,7 +160,12 @@ impl Node {
     /// Takes in every arrival up to `now`.
     #[inline]
     pub(crate) fn take_arrivals(&mut self, now: u64) {
-        while let Some(arrival) = self.arrivals.front().copied().filter(|arrival| arrival.at <= now) {
+        while let Some(arrival) = self
+            .arrivals
+            .front()
+            .copied()
+            .filter(|arrival| arrival.at <= now)
+        {
             self.arrivals.pop_front();
             self.input(Time::from_ps(arrival.at), arrival.level);
         }
@@ -218,7 +226,8 @@ impl Node {
             self.protocol.edge_while_integrating();
         }
         let output_pending = self.drive_at.is_some();
-        if let Effect::Moved { output_from } = self.clock.edge(at, sync, !self.driven && before_sample)
+        if let Effect::Moved { output_from } =
+            self.clock.edge(at, sync, !self.driven && before_sample)
             && output_pending
             && !before_sample
         {
@@ -229,7 +238,9 @@ impl Node {
 
     /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, in whole clock periods.
     fn measure(&mut self, fell: Fine, at: Time) {
-        let Some(compensation) = self.config.delay_compensation else { return };
+        let Some(compensation) = self.config.delay_compensation else {
+            return;
+        };
         let at = Fine::from_time(at);
         let mut delay = at.ticks_since(fell, self.clock.clock);
         delay += u64::from(at.rest_since(fell, self.clock.clock) > 0);
@@ -280,13 +291,21 @@ impl Node {
             && self.protocol.incoming.fd
             && matches!(
                 self.config.delay_compensation,
-                Some(crate::DelayCompensation { delay: DelaySource::Measured { .. }, .. })
+                Some(crate::DelayCompensation {
+                    delay: DelaySource::Measured { .. },
+                    ..
+                })
             )
     }
 
     /// The sample point, or a secondary one, that is due at `now`. Returns the record of the bit if one was sampled.
     pub(crate) fn sample(&mut self, now: u64, cx: &mut Context<'_>) -> Option<BitRecord> {
-        while let Some(late) = self.late.front().copied().filter(|late| late.at.ceil() <= now) {
+        while let Some(late) = self
+            .late
+            .front()
+            .copied()
+            .filter(|late| late.at.ceil() <= now)
+        {
             self.late.pop_front();
             if self.rx != late.level && self.late_error.is_none() {
                 self.late_error = Some((late.position, Level::from_bit(late.level)));
@@ -305,7 +324,8 @@ impl Node {
         let (start, sample, role) = (self.clock.start, self.clock.next_sample, self.protocol.role);
         let driven = self.protocol.drive;
         let pin_level = self.seen();
-        let compensated = self.config.delay_compensation.is_some() && self.protocol.relies_on_own_bits();
+        let compensated =
+            self.config.delay_compensation.is_some() && self.protocol.relies_on_own_bits();
         let noisy = self.protocol.field != Field::Idle;
         let hit = self.faults.hits_sample(noisy);
         let level = if compensated { driven } else { pin_level ^ hit };
@@ -318,6 +338,15 @@ impl Node {
         if self.config.delay_compensation.is_some() {
             self.prepare_late_sample(position, cx);
         }
+        // A receiver knows only now that this bit was a start of frame.
+        let started = self.protocol.field == Field::BaseId
+            && self.protocol.bit == 0
+            && !self.protocol.stuff_next;
+        let position = if started {
+            Position::new(Field::Sof, 0)
+        } else {
+            position
+        };
         Some(BitRecord {
             node: cx.node,
             start: Time::from_ps(start.ceil()),
@@ -338,7 +367,9 @@ impl Node {
 
     /// Bits of the data phase are compared at their secondary sample points.
     fn prepare_late_sample(&mut self, sampled: Position, cx: &mut Context<'_>) {
-        let Some(compensation) = self.config.delay_compensation else { return };
+        let Some(compensation) = self.config.delay_compensation else {
+            return;
+        };
         let delay = match compensation.delay {
             DelaySource::Fixed(delay) => u64::from(delay),
             // An edge that has not come back yet is beyond every limit.

@@ -1,24 +1,25 @@
-//! Whole frames as bit strings on the bus.
+//! smoke
 #![allow(clippy::unwrap_used)]
-
 mod common;
-
-use can_wire::{Field, NodeConfig, Time};
-use common::{bench_of, frame, record, run};
+use can_wire::{NodeConfig, Time, output::*};
+use common::{bench_of, frame, run};
+use std::sync::{Arc, Mutex};
 
 #[test]
 fn smoke() {
     let (mut wire, nodes) = bench_of(2, NodeConfig::new());
-    let trace = record(&mut wire);
-    wire.send(nodes[0], frame("123#DEADBEEF")).unwrap();
-    for event in run(&mut wire, Time::from_us(300)) {
-        println!("{event}");
+    let cap = Arc::new(Mutex::new(FrameCapture::new(nodes[1], 1)));
+    let vcd = Vcd::new(std::fs::File::create("/tmp/x.vcd").unwrap(), 2).unwrap();
+    let pcap = PcapNg::new(std::fs::File::create("/tmp/x.pcapng").unwrap(), Tap::Bus, 2).unwrap();
+    let sinks: Vec<Box<dyn can_wire::TraceSink + Send>> = vec![Box::new(cap.clone()), Box::new(vcd), Box::new(pcap)];
+    wire.set_trace(Some(Box::new(sinks)));
+    for f in ["123#DEADBEEF", "12345678##1000000000000000000112233", "123#R5", "7FF#R", "12345678#1122", "012##0AA"] {
+        wire.send(nodes[0], frame(f)).unwrap();
+        for event in run(&mut wire, Time::from_us(300)) {
+            println!("{event}");
+        }
     }
-    let trace = trace.lock().unwrap();
-    for n in 0..2 {
-        let s: String = trace.bits.iter().filter(|b| b.node == nodes[n]).map(|b| if b.seen.bit() {'1'} else {'0'}).collect();
-        println!("{s}");
-    }
-    for b in trace.bits.iter().filter(|b| b.node == nodes[0] && b.position.field == Field::Crc) { println!("{b:?}"); }
-    panic!();
+    let cap = cap.lock().unwrap();
+    println!("{}", cap.timeline());
+    std::fs::write("/tmp/x.svg", cap.svg()).unwrap();
 }

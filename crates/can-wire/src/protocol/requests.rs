@@ -14,7 +14,9 @@ impl Protocol {
         }
         if !mode.can_transmit() {
             if self.sending {
-                cx.emit(EventKind::Aborted { frame: self.outgoing });
+                cx.emit(EventKind::Aborted {
+                    frame: self.outgoing,
+                });
             }
             if let Some(frame) = self.request.take() {
                 cx.emit(EventKind::Aborted { frame });

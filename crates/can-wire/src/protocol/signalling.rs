@@ -1,6 +1,9 @@
 //! Error and overload signalling: flags, superposition, delimiters (ISO 11898-1:2015, 10.4.4, 10.4.5, 10.11).
 
-use super::{BusError, Context, ErrorKind, ErrorState, EventKind, Field, Flag, Mode, Position, Protocol, Role};
+use super::{
+    BusError, Context, ErrorKind, ErrorState, EventKind, Field, Flag, Mode, Position, Protocol,
+    Role,
+};
 use crate::OverloadCause;
 
 /// Bits of an error or overload flag.
@@ -43,14 +46,21 @@ impl Protocol {
                 // field was sent recessive and seen dominant.
                 Role::Transmitter if unacknowledged || kind == ErrorKind::Stuff => {}
                 Role::Transmitter => self.confinement.transmit_error(cx),
-                Role::Receiver => self.confinement.receive_error(if sending_flag { 8 } else { 1 }, cx),
+                Role::Receiver => self
+                    .confinement
+                    .receive_error(if sending_flag { 8 } else { 1 }, cx),
             }
         }
         if self.went_bus_off(cx) {
             return;
         }
         self.enter(Field::ErrorFlag);
-        self.flag = Flag { active, unacknowledged, run: 0, level: true };
+        self.flag = Flag {
+            active,
+            unacknowledged,
+            run: 0,
+            level: true,
+        };
     }
 
     pub(super) fn overload(&mut self, cause: OverloadCause, cx: &mut Context<'_>) {
@@ -82,7 +92,11 @@ impl Protocol {
                 return;
             }
         }
-        self.flag.run = if bit == self.flag.level { self.flag.run + 1 } else { 1 };
+        self.flag.run = if bit == self.flag.level {
+            self.flag.run + 1
+        } else {
+            1
+        };
         self.flag.level = bit;
         self.bit += 1;
         if u16::from(self.flag.run) == FLAG_BITS {
@@ -92,7 +106,11 @@ impl Protocol {
 
     fn enter_delimiter(&mut self) {
         let after_error = self.field == Field::ErrorFlag;
-        self.enter(if after_error { Field::ErrorDelimiter } else { Field::OverloadDelimiter });
+        self.enter(if after_error {
+            Field::ErrorDelimiter
+        } else {
+            Field::OverloadDelimiter
+        });
         self.count = 0;
     }
 

@@ -1,6 +1,8 @@
 //! What the tests share: a bench of nodes, recorders, random frames.
 #![allow(dead_code, clippy::unwrap_used)]
 
+pub mod frames;
+
 use std::sync::{Arc, Mutex};
 
 use can_frame::Frame;
@@ -11,11 +13,18 @@ use can_wire::{
 /// A wire with nodes in normal mode that have finished bus integration.
 pub fn bench(configs: &[NodeConfig]) -> (Wire, Vec<NodeId>) {
     let mut wire = Wire::new();
-    let nodes: Vec<NodeId> = configs.iter().map(|config| wire.add_node(*config).unwrap()).collect();
+    let nodes: Vec<NodeId> = configs
+        .iter()
+        .map(|config| wire.add_node(*config).unwrap())
+        .collect();
     for node in &nodes {
         wire.set_mode(*node, Mode::Normal);
     }
-    let slowest = configs.iter().map(NodeConfig::nominal_bit).max().unwrap_or_default();
+    let slowest = configs
+        .iter()
+        .map(NodeConfig::nominal_bit)
+        .max()
+        .unwrap_or_default();
     let until = wire.now() + slowest * 14;
     wire.run_until(until, |_, _| {});
     (wire, nodes)
