@@ -135,6 +135,16 @@ impl BitClock {
         self.may_sync = level;
     }
 
+    /// Stands between two nominal bits, the second of which begins at `start`; the first was recessive.
+    pub(crate) fn jump_to(&mut self, start: Fine) {
+        self.start = start;
+        self.sampled = start.minus(self.nominal.after, self.nominal.quantum);
+        self.next_sample = start.plus(self.nominal.before, self.nominal.quantum);
+        self.data_before = false;
+        self.data_after = false;
+        self.may_sync = true;
+    }
+
     /// A recessive to dominant edge at the input. `driving` tells whether the node itself sends dominant in the bit
     /// that begins at `start`.
     pub(crate) fn edge(&mut self, at: Time, sync: Sync, driving_dominant: bool) -> Effect {

@@ -14,6 +14,7 @@ mod bit_clock;
 mod bus;
 mod config;
 pub mod crc;
+mod encode;
 mod event;
 mod fault;
 mod field;
@@ -28,6 +29,7 @@ mod trace;
 mod wire;
 
 pub use config::{FdSupport, Mode, NodeConfig, NodeId, ProtocolException};
+pub use encode::{EncodedBit, encode};
 pub use event::{
     BitRecord, BusError, ErrorKind, ErrorState, Event, EventKind, OverloadCause, PartialFrame, Role,
 };

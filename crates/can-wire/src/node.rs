@@ -6,7 +6,7 @@ use crate::{
     BitRecord, DelaySource, EventKind, FdSupport, Field, Level, Mode, NodeConfig, Position, Time,
     bit_clock::{BitClock, Effect},
     fault::NodeFaults,
-    protocol::{Context, Options, Protocol, Sync},
+    protocol::{Context, Options, Protocol},
     time::Fine,
 };
 
@@ -428,7 +428,25 @@ impl Node {
         }
     }
 
+    pub(crate) fn has_arrivals(&self) -> bool {
+        !self.arrivals.is_empty()
+    }
+
     pub(crate) fn is_asleep(&self) -> bool {
         !self.is_active()
+    }
+
+    /// The end of a frame that was stepped over: the next bit is the last one of the intermission and begins at
+    /// `start`. `bits` were sampled while the bus was not idle.
+    pub(crate) fn finish_frame(&mut self, start: Fine, bits: u64, delay: Option<u64>) {
+        self.clock.jump_to(start);
+        self.delay = delay;
+        if let Some(noise) = &mut self.faults.noise {
+            noise.skip(bits);
+        }
+        self.driven = true;
+        self.pin = true;
+        self.drive_at = None;
+        self.awake = false;
     }
 }

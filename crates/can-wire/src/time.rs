@@ -128,6 +128,12 @@ impl Fine {
         }
     }
 
+    /// The span since `earlier` in units of 2^-32 ps; `None` if that is later.
+    #[inline]
+    pub(crate) fn checked_since(self, earlier: Fine) -> Option<u128> {
+        self.0.checked_sub(earlier.0)
+    }
+
     /// What is left over after the whole ticks of [`Fine::ticks_since`], in units of 2^-32 ps.
     #[inline]
     pub(crate) fn rest_since(self, start: Fine, tick: Tick) -> u64 {
@@ -157,11 +163,6 @@ impl Tick {
     pub(crate) fn times(self, prescaler: u16) -> Tick {
         Tick(self.0 * u64::from(prescaler))
     }
-
-    /// True if the period is a whole number of picoseconds, so that no rounding ever happens.
-    pub(crate) fn is_whole(self) -> bool {
-        self.0.is_multiple_of(Self::PICOSECOND)
-    }
 }
 
 #[cfg(test)]
@@ -177,8 +178,7 @@ mod tests {
             "{} ps",
             after.ceil()
         );
-        assert!(!tick.is_whole());
-        assert!(Tick::of_clock(40_000_000, 0).is_whole());
+        assert_eq!(Tick::of_clock(40_000_000, 0).0, 25_000 * Tick::PICOSECOND);
     }
 
     #[test]

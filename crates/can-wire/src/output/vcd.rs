@@ -30,7 +30,10 @@ impl<W: io::Write> Vcd<W> {
         let mut pins = Vec::with_capacity(nodes);
         for node in 0..nodes {
             writer.add_module(&format!("node{node}"))?;
-            pins.push([writer.add_wire(1, &format!("node{node}_tx"))?, writer.add_wire(1, &format!("node{node}_rx"))?]);
+            pins.push([
+                writer.add_wire(1, &format!("node{node}_tx"))?,
+                writer.add_wire(1, &format!("node{node}_rx"))?,
+            ]);
             writer.upscope()?;
         }
         writer.upscope()?;

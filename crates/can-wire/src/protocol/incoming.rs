@@ -43,6 +43,31 @@ impl Incoming {
         }
     }
 
+    /// The state after a whole frame has been decoded.
+    pub(crate) fn of(frame: &Frame) -> Incoming {
+        let raw = frame.raw_id();
+        let mut incoming = Incoming {
+            base_id: if frame.is_extended() { raw >> 18 } else { raw } as u16,
+            extension: if frame.is_extended() {
+                raw & 0x3_FFFF
+            } else {
+                0
+            },
+            extended: frame.is_extended(),
+            remote: frame.is_remote(),
+            fd: frame.is_fd(),
+            brs: frame.bit_rate_switch(),
+            esi: frame.error_state_indicator(),
+            dlc: frame.dlc().code(),
+            dlc_known: true,
+            len: frame.len() as u8,
+            bytes: frame.len() as u8,
+            ..Incoming::new()
+        };
+        incoming.data[..frame.len()].copy_from_slice(frame.data_bytes());
+        incoming
+    }
+
     /// Ready for the next frame; old data bytes need no clearing, `bytes` says which are valid.
     pub(crate) fn restart(&mut self) {
         let data = self.data;

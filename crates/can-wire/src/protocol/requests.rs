@@ -2,7 +2,7 @@
 
 use can_frame::Frame;
 
-use super::{Context, ErrorState, EventKind, Field, Mode, Protocol};
+use super::{Context, ErrorState, EventKind, Field, Incoming, Mode, Protocol, Role, Time};
 
 impl Protocol {
     /// Takes on a mode at once.
@@ -69,5 +69,28 @@ impl Protocol {
     pub(crate) fn start_recovery(&mut self) {
         self.recovering = Some(0);
         self.count = 0;
+    }
+
+    /// The state after a frame that was stepped over, before the last bit of the intermission.
+    pub(crate) fn finish_frame(
+        &mut self,
+        sent: bool,
+        frame: &Incoming,
+        sof: Time,
+        res: Option<Time>,
+    ) {
+        self.role = if sent {
+            Role::Transmitter
+        } else {
+            Role::Receiver
+        };
+        self.sending = false;
+        self.frames_seen += 1;
+        self.incoming = *frame;
+        self.sof_time = sof;
+        self.res_time = res.unwrap_or(self.res_time);
+        self.enter(Field::Intermission);
+        self.bit = 2;
+        self.drive = true;
     }
 }

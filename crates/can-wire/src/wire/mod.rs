@@ -179,10 +179,19 @@ impl Wire {
                     self.contribute(index, level);
                 }
             }
-            Some(index) if key & 1 == 0 => self.step_output(index, limit),
+            Some(index) if key & 1 == 0 => self.step_output(index),
             Some(index) => self.step_sample(index),
         }
         true
+    }
+
+    /// When the next thing happens, whatever it is.
+    fn next_time(&self) -> Option<u64> {
+        let step = self.schedule.first().map(|(key, _)| key >> 1);
+        [step, self.bus.next_arrival(), self.next_timed_fault()]
+            .into_iter()
+            .flatten()
+            .min()
     }
 
     #[inline]
@@ -194,11 +203,11 @@ impl Wire {
     }
 
     /// Edges and output changes of one node that are due now.
-    fn step_output(&mut self, index: usize, limit: u64) {
+    fn step_output(&mut self, index: usize) {
         self.fast.statistics.steps += 1;
         let now = self.now;
         self.nodes[index].take_arrivals(now);
-        if self.fast.is_enabled() && self.plan_frame(index, limit) {
+        if self.fast.is_enabled() && self.plan_frame(index) {
             return;
         }
         let output = self.nodes[index].drive(now);

@@ -112,18 +112,26 @@ impl Wire {
         if frame.is_fd() && state.config.fd != FdSupport::Fd {
             return Err(RequestError::NoFd);
         }
-        if self.fast.is_planned() && !self.fast.accepts_request(self.now) {
+        if self.fast.is_planned() && !self.fast.has_started() {
             self.settle();
         }
-        let now = Time::from_ps(self.now);
-        let replaced = {
-            let state = &mut self.nodes[node.index()];
-            state.take_arrivals(self.now);
-            state.prepare_request(now);
-            state.protocol.replace_request(frame)
-        };
+        if self.fast.is_planned() {
+            // It waits until the bus is idle again; where it does not concern the frame on the bus, nothing changes.
+            let state = &mut self.nodes[node.index()].protocol;
+            let replaced = state.replace_request(frame);
+            self.fast.note_request(self.now, node, frame);
+            return Ok(replaced);
+        }
+        Ok(self.place_request(node, frame))
+    }
+
+    pub(super) fn place_request(&mut self, node: NodeId, frame: Frame) -> Option<Frame> {
+        let state = &mut self.nodes[node.index()];
+        state.take_arrivals(self.now);
+        state.prepare_request(Time::from_ps(self.now));
+        let replaced = state.protocol.replace_request(frame);
         self.after_step(node.index());
-        Ok(replaced)
+        replaced
     }
 
     /// Takes back a request.
