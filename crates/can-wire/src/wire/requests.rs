@@ -112,7 +112,8 @@ impl Wire {
         if frame.is_fd() && state.config.fd != FdSupport::Fd {
             return Err(RequestError::NoFd);
         }
-        if self.fast.is_planned() && !self.fast.has_started() {
+        // A node in loop back does not wait for the frame on the bus.
+        if self.fast.is_planned() && (!self.fast.has_started() || mode.is_loopback()) {
             self.settle();
         }
         if self.fast.is_planned() {
