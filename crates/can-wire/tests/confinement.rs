@@ -4,8 +4,8 @@
 mod common;
 
 use can_wire::{
-    BitFault, Disturbance, ErrorKind, ErrorState, Event, EventKind, Fault, Field, Frames, Line, Mode, NodeConfig, NodeId,
-    OverloadCause, Position, Role, Time, Wire,
+    BitFault, Disturbance, ErrorKind, ErrorState, Event, EventKind, Fault, Field, Frames, Line,
+    Mode, NodeConfig, NodeId, OverloadCause, Position, Role, Time, Wire,
 };
 use common::{bench_of, frame, received, run, transmitted};
 
@@ -21,9 +21,24 @@ fn three() -> (Wire, NodeId, NodeId, NodeId) {
     (wire, nodes[0], nodes[1], nodes[2])
 }
 
+/// Sets the counters and takes in the events that tell of it.
+fn preset(wire: &mut Wire, node: NodeId, tec: u16, rec: u16) {
+    wire.set_error_counters(node, tec, rec);
+    while wire.next_event(wire.now()).is_some() {}
+}
+
+/// A frame of which bit 9 of the CRC can be inverted without a stuff error.
+const CLEAN: &str = "123#DEADBEEF";
+const CLEAN_CRC_BIT: u16 = 9;
+
 fn flip_seen(wire: &mut Wire, node: NodeId, field: Field, bit: u16) {
     let position = Position::new(field, bit);
-    wire.inject(Fault::Bit { node, fault: BitFault::InvertSeen, position, frames: Frames::next() });
+    wire.inject(Fault::Bit {
+        node,
+        fault: BitFault::InvertSeen,
+        position,
+        frames: Frames::next(),
+    });
 }
 
 fn errors(events: &[Event], node: NodeId) -> Vec<(ErrorKind, Position)> {
@@ -59,17 +74,32 @@ fn states(events: &[Event], node: NodeId) -> Vec<ErrorState> {
 
 /// Holds a line for some bits, starting in the middle of the bit that begins `at` bits after now.
 fn hold(wire: &mut Wire, line: Line, how: Disturbance, from: Time, until: Time) {
-    wire.inject(Fault::Disturb { line, how, from, until });
+    wire.inject(Fault::Disturb {
+        line,
+        how,
+        from,
+        until,
+    });
 }
 
 /// Time at which a node samples a bit of a frame that node `sender` starts next, found in a run that is thrown away.
-fn sample_time(build: impl Fn() -> (Wire, NodeId), text: &str, of: NodeId, position: Position) -> Time {
+fn sample_time(
+    build: impl Fn() -> (Wire, NodeId),
+    text: &str,
+    of: NodeId,
+    position: Position,
+) -> Time {
     let (mut wire, sender) = build();
     let trace = common::record(&mut wire);
     wire.send(sender, frame(text)).unwrap();
     run(&mut wire, Time::from_us(200));
     let trace = trace.lock().unwrap();
-    trace.bits.iter().find(|bit| bit.node == of && bit.position == position).unwrap().sample
+    trace
+        .bits
+        .iter()
+        .find(|bit| bit.node == of && bit.position == position)
+        .unwrap()
+        .sample
 }
 
 // Rule a: a receiver that detects an error counts 1.
@@ -78,14 +108,23 @@ fn a_receiver_counts_one_per_error() {
     let (mut wire, a, b, c) = three();
     // A CRC error is signalled after the ACK delimiter. Node c acknowledges, so the transmitter sees nothing until
     // then.
-    flip_seen(&mut wire, b, Field::Crc, 3);
-    wire.send(a, frame("123#11")).unwrap();
+    flip_seen(&mut wire, b, Field::Crc, CLEAN_CRC_BIT);
+    wire.send(a, frame(CLEAN)).unwrap();
     let events = run(&mut wire, Time::from_us(200));
-    assert_eq!(errors(&events, b), [(ErrorKind::Crc, Position::new(Field::AckDelimiter, 0))]);
+    assert_eq!(
+        errors(&events, b),
+        [(ErrorKind::Crc, Position::new(Field::AckDelimiter, 0))]
+    );
     assert_eq!(counters(&events, b)[0], (0, 1), "by 1 for the error itself");
     // The others see the first bit of the error flag where EOF begins.
-    assert_eq!(errors(&events, c), [(ErrorKind::Form, Position::new(Field::Eof, 0))]);
-    assert_eq!(errors(&events, a), [(ErrorKind::Bit1, Position::new(Field::Eof, 0))]);
+    assert_eq!(
+        errors(&events, c),
+        [(ErrorKind::Form, Position::new(Field::Eof, 0))]
+    );
+    assert_eq!(
+        errors(&events, a),
+        [(ErrorKind::Bit1, Position::new(Field::Eof, 0))]
+    );
     assert!(received(&events, c).is_empty() && transmitted(&events, a).is_empty());
 }
 
@@ -93,8 +132,8 @@ fn a_receiver_counts_one_per_error() {
 #[test]
 fn b_the_first_receiver_to_signal_counts_eight_more() {
     let (mut wire, a, b, c) = three();
-    flip_seen(&mut wire, b, Field::Crc, 3);
-    wire.send(a, frame("123#11")).unwrap();
+    flip_seen(&mut wire, b, Field::Crc, CLEAN_CRC_BIT);
+    wire.send(a, frame(CLEAN)).unwrap();
     let events = run(&mut wire, Time::from_us(200));
     // b's flag begins one bit before those of a and c, so b sees one more dominant bit after it.
     assert_eq!(counters(&events, b), [(0, 1), (0, 9)]);
@@ -117,8 +156,10 @@ fn c_a_transmitter_counts_eight_per_error() {
         });
         wire.send(a, frame(text)).unwrap();
         let events = run(&mut wire, Time::from_us(200));
-        assert_eq!(errors(&events, a), [(ErrorKind::Bit1, Position::new(Field::Data, 2))]
-            .map(|(_, position)| (ErrorKind::Bit0, position)));
+        assert_eq!(
+            errors(&events, a),
+            [(ErrorKind::Bit0, Position::new(Field::Data, 2))]
+        );
         assert_eq!(wire.error_counters(a), (8 * step, 0));
         // The receiver sees six dominant bits: a stuff error, and no dominant bit after its own flag.
         assert_eq!(errors(&events, b).len(), 1);
@@ -135,7 +176,10 @@ fn c1_a_passive_transmitter_alone_stays_at_128() {
     for _ in 0..40 {
         wire.send(a, frame("123#")).unwrap();
         let events = run(&mut wire, Time::from_us(200));
-        assert_eq!(errors(&events, a), [(ErrorKind::Ack, Position::new(Field::AckSlot, 0))]);
+        assert_eq!(
+            errors(&events, a),
+            [(ErrorKind::Ack, Position::new(Field::AckSlot, 0))]
+        );
         seen.push(wire.error_counters(a).0);
     }
     let expected: Vec<u16> = (1..=40).map(|attempt| (8 * attempt).min(128)).collect();
@@ -147,28 +191,39 @@ fn c1_a_passive_transmitter_alone_stays_at_128() {
 #[test]
 fn c1_does_not_apply_when_the_passive_flag_meets_a_dominant_bit() {
     let (mut wire, a, b) = two();
-    wire.set_error_counters(a, 128, 0);
+    preset(&mut wire, a, 128, 0);
     // b drops its acknowledgement, and a short makes the third bit of a's passive flag dominant.
-    wire.inject(Fault::DropAck { node: b, frames: Frames::next() });
+    wire.inject(Fault::DropAck {
+        node: b,
+        frames: Frames::next(),
+    });
     let start = {
         let build = || {
             let (mut wire, nodes) = bench_of(2, NodeConfig::new());
-            wire.set_error_counters(nodes[0], 128, 0);
+            preset(&mut wire, nodes[0], 128, 0);
             (wire, nodes[0])
         };
         sample_time(build, "123#", a, Position::new(Field::AckDelimiter, 0))
     };
     let from = start + BIT * 2;
-    hold(&mut wire, Line::Bus, Disturbance::Dominant, from -_half(), from + _half());
+    hold(
+        &mut wire,
+        Line::Bus,
+        Disturbance::Dominant,
+        from.since(HALF),
+        from + HALF,
+    );
     wire.send(a, frame("123#")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
-    assert_eq!(errors(&events, a)[0], (ErrorKind::Ack, Position::new(Field::AckSlot, 0)));
+    assert_eq!(
+        errors(&events, a)[0],
+        (ErrorKind::Ack, Position::new(Field::AckSlot, 0))
+    );
     assert_eq!(counters(&events, a)[0], (136, 0));
 }
 
-fn _half() -> Time {
-    Time::from_ns(300)
-}
+/// Enough to cover a sample point from both sides.
+const HALF: Time = Time::from_ns(300);
 
 // Rule c, exception 2: a stuff bit of the arbitration field, sent recessive and seen dominant.
 #[test]
@@ -176,14 +231,30 @@ fn c2_a_stuff_error_in_arbitration_does_not_count() {
     let (mut wire, a, b) = two();
     let position = Position::stuff_before(Field::BaseId, 4);
     // The identifier 0 has its first stuff bit before its fifth bit: SOF and four zeros.
-    let at = sample_time(|| { let (wire, a, _) = two(); (wire, a) }, "000#", a, position);
-    hold(&mut wire, Line::Bus, Disturbance::Dominant, at - Time::from_ns(700), at + Time::from_ns(100));
+    let at = sample_time(
+        || {
+            let (wire, a, _) = two();
+            (wire, a)
+        },
+        "000#",
+        a,
+        position,
+    );
+    hold(
+        &mut wire,
+        Line::Bus,
+        Disturbance::Dominant,
+        at.since(Time::from_ns(700)),
+        at + HALF,
+    );
     wire.send(a, frame("000#")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
     assert_eq!(errors(&events, a), [(ErrorKind::Stuff, position)]);
     assert_eq!(counters(&events, a), [], "TEC and REC stay");
     assert_eq!(counters(&events, b), [(0, 1)]);
-    let failed = events.iter().any(|event| event.node == a && matches!(event.kind, EventKind::TransmissionFailed(_)));
+    let failed = events
+        .iter()
+        .any(|event| event.node == a && matches!(event.kind, EventKind::TransmissionFailed(_)));
     assert!(failed, "the transmission has failed all the same");
 }
 
@@ -198,8 +269,14 @@ fn d_bit_errors_in_a_transmitters_flag_count_eight_each() {
     wire.send(a, frame("123#0000")).unwrap();
     let events = run(&mut wire, Time::from_us(300));
     assert_eq!(counters(&events, a)[..3], [(8, 0), (16, 0), (24, 0)]);
-    let kinds: Vec<_> = errors(&events, a).into_iter().map(|(kind, _)| kind).collect();
-    assert_eq!(kinds[..3], [ErrorKind::Bit0, ErrorKind::Bit0, ErrorKind::Bit0]);
+    let kinds: Vec<_> = errors(&events, a)
+        .into_iter()
+        .map(|(kind, _)| kind)
+        .collect();
+    assert_eq!(
+        kinds[..3],
+        [ErrorKind::Bit0, ErrorKind::Bit0, ErrorKind::Bit0]
+    );
 }
 
 // Rule d, overload flag.
@@ -211,23 +288,26 @@ fn d_bit_errors_in_a_transmitters_overload_flag_count_eight() {
     wire.send(a, frame("123#00")).unwrap();
     let events = run(&mut wire, Time::from_us(300));
     assert_eq!(counters(&events, a)[0], (8, 0));
-    assert_eq!(errors(&events, a)[0], (ErrorKind::Bit0, Position::new(Field::OverloadFlag, 2)));
+    assert_eq!(
+        errors(&events, a)[0],
+        (ErrorKind::Bit0, Position::new(Field::OverloadFlag, 2))
+    );
 }
 
 // Rule e: a receiver that meets a bit error in its active error flag or overload flag counts 8.
 #[test]
 fn e_bit_errors_in_a_receivers_flags_count_eight_each() {
     let (mut wire, a, b) = two();
-    flip_seen(&mut wire, b, Field::Crc, 3);
+    flip_seen(&mut wire, b, Field::Crc, CLEAN_CRC_BIT);
     flip_seen(&mut wire, b, Field::ErrorFlag, 1);
-    wire.send(a, frame("123#11")).unwrap();
+    wire.send(a, frame(CLEAN)).unwrap();
     let events = run(&mut wire, Time::from_us(300));
     assert_eq!(counters(&events, b)[..2], [(0, 1), (0, 9)]);
 
     let (mut wire, a, b) = two();
     wire.request_overload(b);
     flip_seen(&mut wire, b, Field::OverloadFlag, 1);
-    wire.send(a, frame("123#11")).unwrap();
+    wire.send(a, frame(CLEAN)).unwrap();
     let events = run(&mut wire, Time::from_us(300));
     assert_eq!(counters(&events, b)[0], (0, 8));
 }
@@ -237,7 +317,7 @@ fn e_bit_errors_in_a_receivers_flags_count_eight_each() {
 fn dominant_after_flag(bits: u64, passive: bool) -> ((u16, u16), (u16, u16)) {
     let build = |wire: &mut Wire, a: NodeId| {
         if passive {
-            wire.set_error_counters(a, 130, 0);
+            preset(wire, a, 130, 0);
         }
         flip_seen(wire, a, Field::Data, 2);
     };
@@ -248,13 +328,21 @@ fn dominant_after_flag(bits: u64, passive: bool) -> ((u16, u16), (u16, u16)) {
     run(&mut probe, Time::from_us(200));
     let first = {
         let trace = trace.lock().unwrap();
-        let after = |bit: &&can_wire::BitRecord| bit.node == a && bit.position == Position::new(Field::ErrorDelimiter, 0);
+        let after = |bit: &&can_wire::BitRecord| {
+            bit.node == a && bit.position == Position::new(Field::ErrorDelimiter, 0)
+        };
         trace.bits.iter().find(after).unwrap().start
     };
     let (mut wire, a, b) = two();
     build(&mut wire, a);
     let from = first + Time::from_ns(100);
-    hold(&mut wire, Line::Bus, Disturbance::Dominant, from, from + BIT * bits);
+    hold(
+        &mut wire,
+        Line::Bus,
+        Disturbance::Dominant,
+        from,
+        from + BIT * bits,
+    );
     wire.send(a, frame("123#0000")).unwrap();
     run(&mut wire, Time::from_us(200));
     (wire.error_counters(a), wire.error_counters(b))
@@ -264,34 +352,47 @@ fn dominant_after_flag(bits: u64, passive: bool) -> ((u16, u16), (u16, u16)) {
 #[test]
 fn f_a_long_row_of_dominant_bits_counts() {
     // An active transmitter: 8 for its error, then 8 for each sequence.
-    let transmitter: Vec<u16> = [0, 7, 8, 15, 16, 24].map(|bits| dominant_after_flag(bits, false).0.0).to_vec();
+    let transmitter: Vec<u16> = [0, 7, 8, 15, 16, 24]
+        .map(|bits| dominant_after_flag(bits, false).0.0)
+        .to_vec();
     assert_eq!(transmitter, [8, 8, 16, 16, 24, 32]);
     // The receiver: 1 for its stuff error, 8 by rule b as soon as one more bit follows its own flag. Its flag ends
     // later than the transmitter's, so it counts the same bits later.
     let receiver = |bits| dominant_after_flag(bits, false).1.1;
     let flags = (0..40).map(receiver).collect::<Vec<u16>>();
     assert_eq!(flags[0], 1);
-    let steps: Vec<u64> = (1..40).filter(|bits| flags[*bits as usize] != flags[*bits as usize - 1]).collect();
+    let steps: Vec<u64> = (1..40)
+        .filter(|bits| flags[*bits as usize] != flags[*bits as usize - 1])
+        .collect();
     assert_eq!(flags[steps[0] as usize], 9, "rule b");
     assert_eq!(flags[steps[1] as usize], 17, "rule f");
-    assert_eq!(steps[1] - steps[0], 7, "the eighth bit, the first of which counted by rule b");
+    assert_eq!(
+        steps[1] - steps[0],
+        7,
+        "the eighth bit, the first of which counted by rule b"
+    );
     assert_eq!(steps[2] - steps[1], 8);
 }
 
 // Rule f, passive flag: a node that sends a passive flag tolerates seven dominant bits after it.
 #[test]
 fn f_holds_for_passive_flags_too() {
-    let counts: Vec<u16> = [0, 7, 8, 16].map(|bits| dominant_after_flag(bits, true).0.0).to_vec();
+    let counts: Vec<u16> = [0, 7, 8, 16]
+        .map(|bits| dominant_after_flag(bits, true).0.0)
+        .to_vec();
     // 130 + 8 for the error; the frame has six recessive bits only after the receiver's flag.
     let base = counts[0];
-    assert_eq!(counts.iter().map(|count| count - base).collect::<Vec<_>>(), [0, 0, 8, 16]);
+    assert_eq!(
+        counts.iter().map(|count| count - base).collect::<Vec<_>>(),
+        [0, 0, 8, 16]
+    );
 }
 
 // Rule g: a successful transmission counts down by 1, not below 0.
 #[test]
 fn g_a_transmission_counts_down_by_one() {
     let (mut wire, a, _) = two();
-    wire.set_error_counters(a, 3, 0);
+    preset(&mut wire, a, 3, 0);
     let mut seen = Vec::new();
     for _ in 0..5 {
         wire.send(a, frame("123#00")).unwrap();
@@ -305,10 +406,13 @@ fn g_a_transmission_counts_down_by_one() {
 #[test]
 fn h_a_reception_counts_down_by_one_or_to_the_edge_of_passive() {
     for after in [119, 127] {
-        let config = NodeConfig { rec_after_passive: after, ..NodeConfig::new() };
+        let config = NodeConfig {
+            rec_after_passive: after,
+            ..NodeConfig::new()
+        };
         let (mut wire, nodes) = bench_of(2, config);
         let (a, b) = (nodes[0], nodes[1]);
-        wire.set_error_counters(b, 0, 140);
+        preset(&mut wire, b, 0, 140);
         let mut seen = Vec::new();
         for _ in 0..3 {
             wire.send(a, frame("123#00")).unwrap();
@@ -320,7 +424,7 @@ fn h_a_reception_counts_down_by_one_or_to_the_edge_of_passive() {
         assert_eq!(wire.error_state(b), ErrorState::Active);
     }
     let (mut wire, a, b) = two();
-    wire.set_error_counters(b, 0, 1);
+    preset(&mut wire, b, 0, 1);
     for expected in [0, 0] {
         wire.send(a, frame("123#00")).unwrap();
         run(&mut wire, Time::from_us(200));
@@ -332,7 +436,7 @@ fn h_a_reception_counts_down_by_one_or_to_the_edge_of_passive() {
 #[test]
 fn i_the_error_that_makes_a_node_passive_is_signalled_actively() {
     let (mut wire, a, b) = two();
-    wire.set_error_counters(a, 127, 0);
+    preset(&mut wire, a, 127, 0);
     assert_eq!(wire.error_state(a), ErrorState::Active);
     let trace = common::record(&mut wire);
     for (attempt, state) in [(1, ErrorState::Passive), (2, ErrorState::Passive)] {
@@ -351,7 +455,10 @@ fn i_the_error_that_makes_a_node_passive_is_signalled_actively() {
             .filter(|bit| bit.node == a && bit.position.field == Field::ErrorFlag)
             .map(|bit| bit.driven.is_dominant())
             .collect();
-        assert!(flag.iter().all(|dominant| *dominant == (attempt == 1)), "attempt {attempt}: {flag:?}");
+        assert!(
+            flag.iter().all(|dominant| *dominant == (attempt == 1)),
+            "attempt {attempt}: {flag:?}"
+        );
         assert!(flag.len() >= 6);
     }
     // The passive flag of the second attempt did not disturb the frame that b was receiving from nobody else: b ran
@@ -363,14 +470,20 @@ fn i_the_error_that_makes_a_node_passive_is_signalled_actively() {
 #[test]
 fn j_a_passive_node_becomes_active_when_both_counters_allow() {
     let (mut wire, a, b) = two();
-    wire.set_error_counters(a, 129, 128);
+    preset(&mut wire, a, 129, 128);
     let mut seen = Vec::new();
     for _ in 0..2 {
         wire.send(a, frame("123#00")).unwrap();
         run(&mut wire, Time::from_us(200));
         seen.push((wire.error_counters(a), wire.error_state(a)));
     }
-    assert_eq!(seen, [((128, 128), ErrorState::Passive), ((127, 128), ErrorState::Passive)]);
+    assert_eq!(
+        seen,
+        [
+            ((128, 128), ErrorState::Passive),
+            ((127, 128), ErrorState::Passive)
+        ]
+    );
     wire.send(b, frame("123#00")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
     assert_eq!(states(&events, a), [ErrorState::Active]);
@@ -382,7 +495,13 @@ fn j_a_passive_node_becomes_active_when_both_counters_allow() {
 fn k_32_transmit_errors_in_a_row_lead_to_bus_off() {
     let (mut wire, a, _b) = two();
     // Nothing dominant leaves a: every SOF is a bit error, and the active flags too.
-    hold(&mut wire, Line::Tx(a), Disturbance::Recessive, Time::ZERO, Time::from_ms(100));
+    hold(
+        &mut wire,
+        Line::Tx(a),
+        Disturbance::Recessive,
+        Time::ZERO,
+        Time::from_ms(100),
+    );
     let mut failures = 0;
     let mut values = Vec::new();
     while wire.error_state(a) != ErrorState::BusOff {
@@ -402,9 +521,15 @@ fn k_32_transmit_errors_in_a_row_lead_to_bus_off() {
 }
 
 fn bus_off(recovery_sequences: u16) -> (Wire, NodeId, NodeId) {
-    let (mut wire, nodes) = bench_of(2, NodeConfig { recovery_sequences, ..NodeConfig::new() });
+    let (mut wire, nodes) = bench_of(
+        2,
+        NodeConfig {
+            recovery_sequences,
+            ..NodeConfig::new()
+        },
+    );
     let (a, b) = (nodes[0], nodes[1]);
-    wire.set_error_counters(a, 250, 0);
+    preset(&mut wire, a, 250, 0);
     flip_seen(&mut wire, a, Field::Data, 2);
     wire.send(a, frame("123#0000")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
@@ -415,19 +540,36 @@ fn bus_off(recovery_sequences: u16) -> (Wire, NodeId, NodeId) {
 // Rule l: 128 occurrences of 11 recessive bits, not one bit more or less.
 #[test]
 fn l_recovery_takes_128_times_11_recessive_bits() {
-    for (setting, sequences) in [(128, 128), (129, 129)] {
+    for (setting, sequences) in [(128, 128), (129, 129u16)] {
         let (mut wire, a, _) = bus_off(setting);
-        assert!(run(&mut wire, Time::from_ms(10)).is_empty(), "nothing happens before the request");
+        assert!(
+            run(&mut wire, Time::from_ms(10)).is_empty(),
+            "nothing happens before the request"
+        );
         wire.start_recovery(a).unwrap();
         let start = wire.now();
         let events = run(&mut wire, Time::from_ms(3));
-        let done = events.iter().filter(|event| matches!(event.kind, EventKind::RecoverySequence { .. }));
+        let done = events
+            .iter()
+            .filter(|event| matches!(event.kind, EventKind::RecoverySequence { .. }));
         assert_eq!(done.count(), usize::from(sequences));
-        let active = events.iter().find(|event| matches!(event.kind, EventKind::ErrorState { .. })).unwrap();
-        assert_eq!(active.kind, EventKind::ErrorState { from: ErrorState::BusOff, to: ErrorState::Active });
+        let active = events
+            .iter()
+            .find(|event| matches!(event.kind, EventKind::ErrorState { .. }))
+            .unwrap();
+        assert_eq!(
+            active.kind,
+            EventKind::ErrorState {
+                from: ErrorState::BusOff,
+                to: ErrorState::Active
+            }
+        );
         // The last of 128 * 11 bits is sampled at 80 % of it.
         let bits = 11 * u64::from(sequences);
-        assert_eq!(active.time.since(start), BIT * (bits - 1) + Time::from_ns(800));
+        assert_eq!(
+            active.time.since(start),
+            BIT * (bits - 1) + Time::from_ns(800)
+        );
         assert_eq!(wire.error_counters(a), (0, 0));
         wire.send(a, frame("123#00")).unwrap();
         assert_eq!(transmitted(&run(&mut wire, Time::from_us(200)), a).len(), 1);
@@ -440,7 +582,7 @@ fn l_recovery_takes_128_times_11_recessive_bits() {
 fn l_traffic_in_between_counts_once_per_frame() {
     let (mut wire, nodes) = bench_of(3, NodeConfig::new());
     let (a, b) = (nodes[0], nodes[1]);
-    wire.set_error_counters(a, 250, 0);
+    preset(&mut wire, a, 250, 0);
     flip_seen(&mut wire, a, Field::Data, 2);
     wire.send(a, frame("123#0000")).unwrap();
     run(&mut wire, Time::from_us(200));
@@ -456,7 +598,10 @@ fn l_traffic_in_between_counts_once_per_frame() {
                 wire.send(b, frame("123#0000")).unwrap();
             }
             EventKind::RecoverySequence { count } => sequences = count,
-            EventKind::ErrorState { to: ErrorState::Active, .. } => break,
+            EventKind::ErrorState {
+                to: ErrorState::Active,
+                ..
+            } => break,
             _ => {}
         }
     }
@@ -470,16 +615,20 @@ fn l_traffic_in_between_counts_once_per_frame() {
 fn a_passive_transmitter_suspends_transmission() {
     let gap = |tec| {
         let (mut wire, a, _) = two();
-        wire.set_error_counters(a, tec, 0);
+        preset(&mut wire, a, tec, 0);
         wire.send(a, frame("123#00")).unwrap();
         let mut times = Vec::new();
-        wire.run_until(wire.now() + Time::from_us(300), |wire, event| match event.kind {
-            EventKind::Transmitted { .. } if times.is_empty() => {
-                times.push(event.time);
-                wire.send(a, frame("123#00")).unwrap();
+        wire.run_until(wire.now() + Time::from_us(300), |wire, event| {
+            match event.kind {
+                EventKind::Transmitted { .. } if times.is_empty() => {
+                    times.push(event.time);
+                    wire.send(a, frame("123#00")).unwrap();
+                }
+                EventKind::StartOfFrame {
+                    role: Role::Transmitter,
+                } if !times.is_empty() => times.push(event.time),
+                _ => {}
             }
-            EventKind::StartOfFrame { role: Role::Transmitter } if !times.is_empty() => times.push(event.time),
-            _ => {}
         });
         times[1].since(times[0])
     };
@@ -491,7 +640,7 @@ fn a_passive_transmitter_suspends_transmission() {
 #[test]
 fn another_node_may_start_while_a_passive_one_is_suspended() {
     let (mut wire, a, b) = two();
-    wire.set_error_counters(a, 200, 0);
+    preset(&mut wire, a, 200, 0);
     wire.send(a, frame("001#00")).unwrap();
     let mut order = Vec::new();
     let limit = wire.now() + Time::from_us(400);
@@ -505,7 +654,10 @@ fn another_node_may_start_while_a_passive_one_is_suspended() {
             }
         }
     });
-    let order: Vec<_> = order.into_iter().map(|(node, sent)| (node, sent.raw_id())).collect();
+    let order: Vec<_> = order
+        .into_iter()
+        .map(|(node, sent)| (node, sent.raw_id()))
+        .collect();
     assert_eq!(order, [(a, 0x001), (b, 0x700), (a, 0x002)]);
 }
 
@@ -516,15 +668,19 @@ fn an_error_flag_is_six_to_twelve_dominant_bits_on_the_bus() {
         let (mut wire, a, b, _) = three();
         let trace = common::record(&mut wire);
         flip_seen(&mut wire, b, field, bit);
-        wire.send(a, frame("123#55555555")).unwrap();
+        wire.send(a, frame(CLEAN)).unwrap();
         run(&mut wire, Time::from_us(200));
         let trace = trace.lock().unwrap();
-        let after_error = trace.bits.iter().filter(|bit| bit.node == b).skip_while(|bit| bit.position.field != Field::ErrorFlag);
+        let after_error = trace
+            .bits
+            .iter()
+            .filter(|bit| bit.node == b)
+            .skip_while(|bit| bit.position.field != Field::ErrorFlag);
         after_error.take_while(|bit| bit.seen.is_dominant()).count()
     };
     // b alone detects an error within the data and sends six dominant bits; at the sixth the others meet a stuff error,
     // or a bit error at the first, and add theirs.
-    let in_data = lengths(Field::Crc, 3);
+    let in_data = lengths(Field::Crc, CLEAN_CRC_BIT);
     assert_eq!(in_data, 7, "the others answer to the first bit, in EOF");
     let (mut wire, a, b, _) = three();
     let trace = common::record(&mut wire);
@@ -538,7 +694,11 @@ fn an_error_flag_is_six_to_twelve_dominant_bits_on_the_bus() {
     wire.send(a, frame("000#")).unwrap();
     run(&mut wire, Time::from_us(200));
     let trace = trace.lock().unwrap();
-    let flag = trace.bits.iter().filter(|bit| bit.node == b).skip_while(|bit| bit.position.field != Field::ErrorFlag);
+    let flag = trace
+        .bits
+        .iter()
+        .filter(|bit| bit.node == b)
+        .skip_while(|bit| bit.position.field != Field::ErrorFlag);
     let length = flag.take_while(|bit| bit.seen.is_dominant()).count();
     assert!((6..=12).contains(&length), "{length}");
 }
@@ -548,8 +708,22 @@ fn an_error_flag_is_six_to_twelve_dominant_bits_on_the_bus() {
 #[test]
 fn a_dominant_last_bit_of_eof_is_an_overload_condition_for_receivers_only() {
     let (mut wire, a, b) = two();
-    let at = sample_time(|| { let (wire, a, _) = two(); (wire, a) }, "123#00", a, Position::new(Field::Eof, 6));
-    hold(&mut wire, Line::Bus, Disturbance::Dominant, at - Time::from_ns(700), at + Time::from_ns(100));
+    let at = sample_time(
+        || {
+            let (wire, a, _) = two();
+            (wire, a)
+        },
+        "123#00",
+        a,
+        Position::new(Field::Eof, 6),
+    );
+    hold(
+        &mut wire,
+        Line::Bus,
+        Disturbance::Dominant,
+        at.since(Time::from_ns(700)),
+        at + HALF,
+    );
     wire.send(a, frame("123#00")).unwrap();
     let mut events = Vec::new();
     wire.run_until(wire.now() + Time::from_us(400), |wire, event| {
@@ -560,10 +734,22 @@ fn a_dominant_last_bit_of_eof_is_an_overload_condition_for_receivers_only() {
     });
     assert_eq!(received(&events, b).len(), 2);
     assert_eq!(transmitted(&events, a).len(), 1);
-    let overload = events.iter().find(|event| event.node == b && matches!(event.kind, EventKind::Overload(_)));
-    assert_eq!(overload.unwrap().kind, EventKind::Overload(OverloadCause::LastBitOfEof));
-    assert_eq!(errors(&events, a), [(ErrorKind::Bit1, Position::new(Field::Eof, 6))]);
-    assert_eq!(wire.error_counters(b), (0, 0), "an overload condition is no error");
+    let overload = events
+        .iter()
+        .find(|event| event.node == b && matches!(event.kind, EventKind::Overload(_)));
+    assert_eq!(
+        overload.unwrap().kind,
+        EventKind::Overload(OverloadCause::LastBitOfEof)
+    );
+    assert_eq!(
+        errors(&events, a),
+        [(ErrorKind::Bit1, Position::new(Field::Eof, 6))]
+    );
+    assert_eq!(
+        wire.error_counters(b),
+        (0, 0),
+        "an overload condition is no error"
+    );
 }
 
 #[test]
@@ -571,11 +757,15 @@ fn modes_without_error_signalling_do_not_count() {
     for mode in [Mode::ListenOnly, Mode::Restricted] {
         let (mut wire, a, _, c) = three();
         wire.set_mode(c, mode);
-        flip_seen(&mut wire, c, Field::Crc, 3);
-        wire.send(a, frame("123#11")).unwrap();
+        flip_seen(&mut wire, c, Field::Crc, CLEAN_CRC_BIT);
+        wire.send(a, frame(CLEAN)).unwrap();
         let events = run(&mut wire, Time::from_us(300));
         assert_eq!(errors(&events, c).len(), 1, "{mode:?} detects");
         assert_eq!(wire.error_counters(c), (0, 0), "{mode:?} does not count");
-        assert_eq!(transmitted(&events, a).len(), 1, "{mode:?} does not disturb");
+        assert_eq!(
+            transmitted(&events, a).len(),
+            1,
+            "{mode:?} does not disturb"
+        );
     }
 }
