@@ -109,12 +109,7 @@ pub(super) struct Plan {
 
 impl Plan {
     pub(super) fn empty() -> Plan {
-        let segments = Segments {
-            quantum: Tick(1),
-            before: 1,
-            after: 1,
-            sjw: 1,
-        };
+        let segments = crate::bit_clock::BitClock::new(&NodeConfig::new()).nominal;
         let layout = Layout {
             res: None,
             brs: None,
