@@ -104,9 +104,15 @@ impl Node {
     /// outputs have changed before anyone samples.
     #[inline]
     pub(crate) fn next_key(&self) -> u64 {
-        let mut key = NEVER;
+        let mut key = if self.is_active() {
+            self.clock.next_sample_at << 1 | 1
+        } else {
+            NEVER
+        };
+        if self.drive_at.is_none() && self.late.is_empty() && self.arrivals.is_empty() {
+            return key;
+        }
         if self.is_active() {
-            key = self.clock.next_sample_at << 1 | 1;
             if let Some(late) = self.late.front() {
                 key = key.min(late.at.ceil() << 1 | 1);
             }
@@ -309,8 +315,8 @@ impl Node {
             )
     }
 
-    /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit was sampled, and its record if
-    /// that is asked for.
+    /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit
+    /// was sampled, and its record if that is asked for.
     #[inline]
     pub(crate) fn sample<const RECORD: bool>(
         &mut self,
@@ -339,7 +345,11 @@ impl Node {
         let hit = self.faults.hits_sample(noisy);
         let level = if compensated { driven } else { pin_level ^ hit };
         let faulty = hit || self.faults.drives_wrong();
-        let late = self.late_error.take();
+        let late = if self.late_error.is_some() {
+            self.late_error.take()
+        } else {
+            None
+        };
         self.awake = false;
         self.protocol.sample(level, late, cx);
         self.clock.sampled(level, self.protocol.data_phase);

@@ -222,7 +222,7 @@ fn run_input(bytes: &[u8]) {
             8 => wire.set_error_counters(node, u16::from(input.byte()), u16::from(input.byte())),
             _ => {
                 wire.request_overload(node);
-                drop(wire.abort(node));
+                let _ = wire.abort(node);
             }
         }
         let (start, steps) = (wire.now(), wire.statistics().steps);

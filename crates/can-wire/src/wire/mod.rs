@@ -179,6 +179,7 @@ impl Wire {
         self.apply_timed_fault();
     }
 
+    #[inline(never)]
     fn advance_other(&mut self, limit: u64) -> bool {
         let at = self.other_at;
         if at > limit || at == NEVER {
@@ -216,6 +217,7 @@ impl Wire {
     }
 
     /// Edges and output changes of one node that are due now.
+    #[inline(never)]
     fn step_output(&mut self, index: usize) {
         self.fast.statistics.steps += 1;
         let now = self.now;
@@ -228,8 +230,30 @@ impl Wire {
         self.after_step(index);
     }
 
+    #[inline]
     fn step_sample(&mut self, index: usize) {
         self.fast.statistics.steps += 1;
+        let sampled = if self.tracer.bits {
+            self.step_sample_recorded(index)
+        } else {
+            let now = self.now;
+            let node = &mut self.nodes[index];
+            node.take_arrivals(now);
+            let mut cx = Context {
+                now: Time::from_ps(now),
+                node: NodeId(index as u16),
+                events: &mut self.events,
+            };
+            node.sample::<false>(now, &mut cx).0
+        };
+        if sampled && !self.bit_faults.is_empty() {
+            self.match_bit_faults(index);
+        }
+        self.after_step(index);
+    }
+
+    #[inline(never)]
+    fn step_sample_recorded(&mut self, index: usize) -> bool {
         let now = self.now;
         let node = &mut self.nodes[index];
         node.take_arrivals(now);
@@ -238,18 +262,11 @@ impl Wire {
             node: NodeId(index as u16),
             events: &mut self.events,
         };
-        let (sampled, record) = if self.tracer.bits {
-            node.sample::<true>(now, &mut cx)
-        } else {
-            node.sample::<false>(now, &mut cx)
-        };
+        let (sampled, record) = node.sample::<true>(now, &mut cx);
         if let (Some(record), Some(sink)) = (record, &mut self.tracer.sink) {
             sink.bit(&record);
         }
-        if sampled && !self.bit_faults.is_empty() {
-            self.match_bit_faults(index);
-        }
-        self.after_step(index);
+        sampled
     }
 
     /// A node's output has changed; it reaches the bus after the node's transmit delay.
