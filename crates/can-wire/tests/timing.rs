@@ -5,8 +5,7 @@ mod common;
 
 use can_frame::{Dlc, Format, Frame, StandardId};
 use can_wire::{
-    BitTiming, ErrorKind, ErrorState, Event,
-    EventKind, FdSupport, NodeConfig, Role, Time,
+    BitTiming, ErrorKind, ErrorState, Event, EventKind, FdSupport, NodeConfig, Role, Time,
 };
 use common::{Random, bench, bench_of, frame, frames, run};
 
