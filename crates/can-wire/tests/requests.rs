@@ -217,44 +217,60 @@ fn a_dominant_bit_in_intermission_is_answered_with_an_overload_frame() {
     }
 }
 
-/// A dominant third bit of intermission is a start of frame: a node with a request joins with its identifier.
+/// A dominant third bit of intermission is a start of frame: a node with a request joins with its identifier, without a
+/// start of frame of its own.
 #[test]
 fn a_node_joins_a_start_of_frame_in_the_third_bit_of_intermission() {
-    // The clocks differ so much that after a frame one node is a good part of a bit ahead.
-    let slow = NodeConfig {
-        clock_ppm: -4_500,
-        ..NodeConfig::new()
-    };
-    let quick = NodeConfig {
-        clock_ppm: 4_500,
-        rx_delay: Time::from_ns(30),
-        ..NodeConfig::new()
-    };
-    let (mut wire, nodes) = bench(&[slow, quick]);
-    let mut joined = 0;
-    wire.send(nodes[0], frame("200#FFFFFFFFFFFFFFFF")).unwrap();
-    wire.run_until(wire.now() + Time::from_ms(20), |wire, event| {
-        match event.kind {
-            EventKind::Transmitted { .. } | EventKind::ArbitrationLost { .. } => {
-                let text = if event.node == nodes[0] {
-                    "200#FFFFFFFFFFFFFFFF"
-                } else {
-                    "100#FFFFFFFFFFFFFFFF"
-                };
-                wire.send(event.node, frame(text)).unwrap();
-            }
-            EventKind::Received { .. } if wire.requested(event.node).is_none() => {
-                wire.send(event.node, frame("100#FFFFFFFFFFFFFFFF"))
-                    .unwrap();
-            }
-            EventKind::StartOfFrame {
-                role: Role::Transmitter,
-            } => joined += 1,
-            EventKind::Error(_) => panic!("{event}"),
-            _ => {}
+    let (mut wire, nodes) = bench_of(2, NodeConfig::new());
+    wire.send(nodes[0], frame("200#AA")).unwrap();
+    let limit = wire.now() + Time::from_us(100);
+    let mut sent = Time::ZERO;
+    while let Some(event) = wire.next_event(limit) {
+        if matches!(event.kind, EventKind::Transmitted { .. }) {
+            sent = event.time;
+            break;
         }
+    }
+    wire.send(nodes[1], frame("100#55")).unwrap();
+    let trace = common::record(&mut wire);
+    // The third bit begins 2.2 us after the sample point of the last bit of EOF. The pulse synchronizes both nodes.
+    let from = sent + Time::from_ns(2_250);
+    wire.inject(Fault::Disturb {
+        line: Line::Bus,
+        how: Disturbance::Dominant,
+        from,
+        until: from + BIT,
     });
-    assert!(joined > 100, "{joined}");
+    let events = run(&mut wire, Time::from_us(100));
+    let start = EventKind::StartOfFrame {
+        role: Role::Transmitter,
+    };
+    let started = events
+        .iter()
+        .find(|event| event.node == nodes[1] && event.kind == start)
+        .unwrap();
+    assert_eq!(started.time, from + Time::from_ns(800));
+    assert_eq!(received(&events, nodes[0]), [frame("100#55")]);
+    assert_eq!(transmitted(&events, nodes[1]), [frame("100#55")]);
+    let trace = trace.lock().unwrap();
+    let own: Vec<_> = trace
+        .bits
+        .iter()
+        .filter(|bit| bit.node == nodes[1])
+        .collect();
+    let sof = own
+        .iter()
+        .position(|bit| bit.position.field == Field::Sof)
+        .unwrap();
+    assert_eq!(
+        own[sof].driven,
+        Level::Recessive,
+        "the start of frame was not its own"
+    );
+    assert_eq!(
+        (own[sof + 1].position, own[sof + 1].role),
+        (Position::new(Field::BaseId, 0), Role::Transmitter)
+    );
 }
 
 #[test]
