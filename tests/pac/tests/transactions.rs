@@ -349,10 +349,10 @@ mod dspic33_ecan {
     #[test]
     fn an_identifier_over_two_filter_registers() {
         let bus = Recorder::holding(16, 0x00, CTRL1);
-        Dspic33Ecan::new(&bus).filter_window(|w| w.write_rxf_id(1, 0x1ABC_DEF0));
+        Dspic33Ecan::new(&bus).filter_window(|w| w.write_rxf_id(1, 0x1ABD_DEF0));
         // EID[15:0] in RXFnEID; EID[17:16] in RXFnSID[1:0]; SID in RXFnSID[15:5].
         assert_eq!(bus.peek(16, 0x46), 0xDEF0);
-        assert_eq!(bus.peek(16, 0x44), ((0x1ABC_DEF0 >> 18) << 5) | ((0x1ABC_DEF0 >> 16) & 3));
+        assert_eq!(bus.peek(16, 0x44), ((0x1ABD_DEF0 >> 18) << 5) | ((0x1ABD_DEF0 >> 16) & 3));
         assert!(bus.take().iter().all(|access| access.bits == 16));
     }
 

@@ -33,13 +33,19 @@ pub(super) fn module(model: &Model) -> TokenStream {
         "What registers do not allow, as traits that no bus implements.\n\nThey stand in bounds of methods that cannot be \
          called, so that the compiler's message says why, and what to do instead.",
     );
+    let guards: Vec<TokenStream> = modify.chain(windows).collect();
+    // Without a guard, nothing would use it.
+    let sealed = (!guards.is_empty()).then(|| {
+        quote!(
+            mod sealed {
+                pub trait Never {}
+            }
+        )
+    });
     quote! {
         #head
-        mod sealed {
-            pub trait Never {}
-        }
-        #(#modify)*
-        #(#windows)*
+        #sealed
+        #(#guards)*
     }
 }
 
