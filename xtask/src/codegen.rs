@@ -23,7 +23,7 @@ pub fn project(check: bool) -> Result<bool, String> {
         return Ok(false);
     }
     // Everything is made before anything is written: an error leaves no half of a new state.
-    let made: Vec<_> = models.iter().map(|model| Ok((model, package(model)?))).collect::<Result<_, String>>()?;
+    let made = packages(&models)?;
     let mut artefacts = Artefacts::new(check);
     artefacts.file(&root.join("regdefs/schema.json"), &schema_text())?;
     artefacts.file(&root.join("docs/language.md"), &regdef_codegen::language::page())?;
@@ -35,6 +35,21 @@ pub fn project(check: bool) -> Result<bool, String> {
         reference(&models.iter().collect::<Vec<_>>(), &root.join("target/reference"))?;
     }
     Ok(good)
+}
+
+/// All files of all crates, one thread for each crate.
+fn packages(models: &[Model]) -> Result<Vec<(&Model, Vec<OutputFile>)>, String> {
+    std::thread::scope(|scope| {
+        let started: Vec<_> = models.iter().map(|model| (model, scope.spawn(|| package(model)))).collect();
+        started
+            .into_iter()
+            .map(|(model, thread)| {
+                let files =
+                    thread.join().unwrap_or_else(|_| Err(format!("{}: an emitter panicked", model.names.id)))?;
+                Ok((model, files))
+            })
+            .collect()
+    })
 }
 
 /// Writes the HTML reference, which is not committed and so is no part of a check.

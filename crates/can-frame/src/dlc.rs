@@ -65,11 +65,7 @@ impl Dlc {
     /// Data bytes of a classic data frame with this code: 0 to 8.
     #[must_use]
     pub const fn classic_len(self) -> usize {
-        if self.0 as usize > CLASSIC_MAX_LEN {
-            CLASSIC_MAX_LEN
-        } else {
-            self.0 as usize
-        }
+        if self.0 as usize > CLASSIC_MAX_LEN { CLASSIC_MAX_LEN } else { self.0 as usize }
     }
 
     /// Data bytes of an FD frame with this code: 0 to 64.

@@ -34,25 +34,14 @@ pub enum FrameError {
 impl fmt::Display for FrameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            FrameError::TooLong { len, max } => write!(
-                f,
-                "{len} data bytes, but this frame format carries at most {max}"
-            ),
-            FrameError::NotAnFdLength { len, next } => {
-                write!(
-                    f,
-                    "no data length code stands for {len} bytes; pad the data to {next}"
-                )
+            FrameError::TooLong { len, max } => {
+                write!(f, "{len} data bytes, but this frame format carries at most {max}")
             }
-            FrameError::DlcMismatch {
-                code,
-                len,
-                expected,
-            } => {
-                write!(
-                    f,
-                    "data length code {code} stands for {expected} bytes, but {len} were given"
-                )
+            FrameError::NotAnFdLength { len, next } => {
+                write!(f, "no data length code stands for {len} bytes; pad the data to {next}")
+            }
+            FrameError::DlcMismatch { code, len, expected } => {
+                write!(f, "data length code {code} stands for {expected} bytes, but {len} were given")
             }
         }
     }
@@ -111,36 +100,21 @@ impl fmt::Display for ParseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "at byte {}: ", self.at)?;
         match self.kind {
-            ParseErrorKind::MissingSeparator => {
-                f.write_str("expected '#' between identifier and data")
-            }
+            ParseErrorKind::MissingSeparator => f.write_str("expected '#' between identifier and data"),
             ParseErrorKind::IdDigits { found } => {
-                write!(
-                    f,
-                    "expected an identifier of 3 or 8 hexadecimal digits, found {found}"
-                )
+                write!(f, "expected an identifier of 3 or 8 hexadecimal digits, found {found}")
             }
             ParseErrorKind::IdRange { id } => {
                 write!(f, "identifier {id:#x} does not fit its 11 or 29 bits")
             }
-            ParseErrorKind::ErrorMessage => {
-                f.write_str("an error message of the interface, not a frame of the bus")
-            }
+            ParseErrorKind::ErrorMessage => f.write_str("an error message of the interface, not a frame of the bus"),
             ParseErrorKind::NotHex => f.write_str("expected a hexadecimal digit"),
             ParseErrorKind::HalfByte => f.write_str("a data byte has two hexadecimal digits"),
-            ParseErrorKind::BadDlc => {
-                f.write_str("expected a data length code: 0 to 8 after 'R', 9 to F after '_'")
-            }
-            ParseErrorKind::MissingFdFlags => {
-                f.write_str("expected the flags digit of an FD frame after '##'")
-            }
-            ParseErrorKind::BadTimestamp => {
-                f.write_str("expected a timestamp such as (1700000000.123456)")
-            }
+            ParseErrorKind::BadDlc => f.write_str("expected a data length code: 0 to 8 after 'R', 9 to F after '_'"),
+            ParseErrorKind::MissingFdFlags => f.write_str("expected the flags digit of an FD frame after '##'"),
+            ParseErrorKind::BadTimestamp => f.write_str("expected a timestamp such as (1700000000.123456)"),
             ParseErrorKind::MissingColumn => f.write_str("expected another column"),
-            ParseErrorKind::BadLength => {
-                f.write_str("the length in brackets does not match the data")
-            }
+            ParseErrorKind::BadLength => f.write_str("the length in brackets does not match the data"),
             ParseErrorKind::TrailingText => f.write_str("unexpected text after the frame"),
             ParseErrorKind::Frame(error) => error.fmt(f),
         }

@@ -45,10 +45,7 @@ impl Frame {
         let dlc = match Dlc::exact(data.len()) {
             Some(dlc) if data.len() <= CLASSIC_MAX_LEN => dlc,
             _ => {
-                return Err(FrameError::TooLong {
-                    len: data.len(),
-                    max: CLASSIC_MAX_LEN,
-                });
+                return Err(FrameError::TooLong { len: data.len(), max: CLASSIC_MAX_LEN });
             }
         };
         Ok(Frame::filled(id.into(), Format::Data, dlc, data))
@@ -60,11 +57,7 @@ impl Frame {
     /// [`FrameError::DlcMismatch`] if the code does not stand for the number of bytes.
     pub fn data_with_dlc(id: impl Into<Id>, dlc: Dlc, data: &[u8]) -> Result<Frame, FrameError> {
         if dlc.classic_len() != data.len() {
-            return Err(FrameError::DlcMismatch {
-                code: dlc.code(),
-                len: data.len(),
-                expected: dlc.classic_len(),
-            });
+            return Err(FrameError::DlcMismatch { code: dlc.code(), len: data.len(), expected: dlc.classic_len() });
         }
         Ok(Frame::filled(id.into(), Format::Data, dlc, data))
     }
@@ -82,10 +75,7 @@ impl Frame {
     pub fn fd(id: impl Into<Id>, data: &[u8], flags: FdFlags) -> Result<Frame, FrameError> {
         let dlc = fd_dlc(data.len())?;
         if dlc.fd_len() != data.len() {
-            return Err(FrameError::NotAnFdLength {
-                len: data.len(),
-                next: dlc.fd_len(),
-            });
+            return Err(FrameError::NotAnFdLength { len: data.len(), next: dlc.fd_len() });
         }
         Ok(Frame::filled(id.into(), Format::Fd(flags), dlc, data))
     }
@@ -94,12 +84,7 @@ impl Frame {
     ///
     /// # Errors
     /// [`FrameError::TooLong`] above 64 bytes.
-    pub fn fd_padded(
-        id: impl Into<Id>,
-        data: &[u8],
-        pad: u8,
-        flags: FdFlags,
-    ) -> Result<Frame, FrameError> {
+    pub fn fd_padded(id: impl Into<Id>, data: &[u8], pad: u8, flags: FdFlags) -> Result<Frame, FrameError> {
         let dlc = fd_dlc(data.len())?;
         let mut frame = Frame::filled(id.into(), Format::Fd(flags), dlc, data);
         frame.bytes[data.len()..dlc.fd_len()].fill(pad);
@@ -121,12 +106,7 @@ impl Frame {
     fn filled(id: Id, format: Format, dlc: Dlc, data: &[u8]) -> Frame {
         let mut bytes = [0; FD_MAX_LEN];
         bytes[..data.len()].copy_from_slice(data);
-        Frame {
-            id,
-            format,
-            dlc,
-            bytes,
-        }
+        Frame { id, format, dlc, bytes }
     }
 
     /// The identifier, 11 or 29 bits.
@@ -203,10 +183,7 @@ impl Frame {
     #[must_use]
     pub const fn with_error_state_indicator(mut self, esi: bool) -> Frame {
         if let Format::Fd(flags) = self.format {
-            self.format = Format::Fd(FdFlags {
-                brs: flags.brs,
-                esi,
-            });
+            self.format = Format::Fd(FdFlags { brs: flags.brs, esi });
         }
         self
     }
@@ -222,10 +199,7 @@ impl Frame {
 }
 
 fn fd_dlc(len: usize) -> Result<Dlc, FrameError> {
-    Dlc::fitting(len).ok_or(FrameError::TooLong {
-        len,
-        max: FD_MAX_LEN,
-    })
+    Dlc::fitting(len).ok_or(FrameError::TooLong { len, max: FD_MAX_LEN })
 }
 
 impl PartialEq for Frame {
@@ -262,10 +236,7 @@ impl embedded_can::Frame for Frame {
     }
 
     fn new_remote(id: impl Into<Id>, dlc: usize) -> Option<Self> {
-        Some(Frame::remote(
-            id,
-            Dlc::exact(dlc).filter(|dlc| dlc.fd_len() <= CLASSIC_MAX_LEN)?,
-        ))
+        Some(Frame::remote(id, Dlc::exact(dlc).filter(|dlc| dlc.fd_len() <= CLASSIC_MAX_LEN)?))
     }
 
     fn is_extended(&self) -> bool {

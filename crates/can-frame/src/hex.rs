@@ -48,9 +48,7 @@ impl<'a> Cursor<'a> {
     pub(crate) fn word(&mut self) -> &'a str {
         self.skip_spaces();
         let rest = &self.text[self.at..];
-        let end = rest
-            .find(|c: char| c.is_ascii_whitespace())
-            .unwrap_or(rest.len());
+        let end = rest.find(|c: char| c.is_ascii_whitespace()).unwrap_or(rest.len());
         self.at += end;
         &rest[..end]
     }

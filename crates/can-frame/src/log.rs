@@ -36,14 +36,7 @@ pub struct LogLine<'a> {
 impl fmt::Display for LogLine<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let micros = self.nanoseconds / 1_000;
-        write!(
-            f,
-            "({:010}.{:06}) {} {}",
-            micros / 1_000_000,
-            micros % 1_000_000,
-            self.interface,
-            self.frame
-        )?;
+        write!(f, "({:010}.{:06}) {} {}", micros / 1_000_000, micros % 1_000_000, self.interface, self.frame)?;
         match self.direction {
             None => Ok(()),
             Some(Direction::Received) => f.write_str(" R"),
@@ -60,11 +53,7 @@ impl<'a> LogLine<'a> {
     pub fn parse(line: &'a str) -> Result<LogLine<'a>, ParseError> {
         let line_cursor = &mut Cursor::new(line);
         line_cursor.skip_spaces();
-        let nanoseconds = if line_cursor.peek() == Some(b'(') {
-            timestamp(line_cursor)?
-        } else {
-            0
-        };
+        let nanoseconds = if line_cursor.peek() == Some(b'(') { timestamp(line_cursor)? } else { 0 };
         let interface = line_cursor.word();
         if interface.is_empty() {
             return Err(line_cursor.error(ParseErrorKind::MissingColumn));
@@ -73,10 +62,7 @@ impl<'a> LogLine<'a> {
         let at = line_cursor.at();
         let word = line_cursor.word();
         let (frame, mut direction) = if word.contains('#') {
-            let frame = Frame::from_str(word).map_err(|e| ParseError {
-                at: at + e.at,
-                kind: e.kind,
-            })?;
+            let frame = Frame::from_str(word).map_err(|e| ParseError { at: at + e.at, kind: e.kind })?;
             (frame, None)
         } else {
             screen_columns(word, at, line_cursor)?
@@ -94,12 +80,7 @@ impl<'a> LogLine<'a> {
             }
         }
         if line_cursor.is_at_end() {
-            Ok(LogLine {
-                nanoseconds,
-                interface,
-                frame,
-                direction,
-            })
+            Ok(LogLine { nanoseconds, interface, frame, direction })
         } else {
             Err(line_cursor.error(ParseErrorKind::TrailingText))
         }
@@ -109,10 +90,7 @@ impl<'a> LogLine<'a> {
 /// `(seconds.fraction)` with up to nine digits of fraction.
 fn timestamp(cursor: &mut Cursor<'_>) -> Result<u64, ParseError> {
     let at = cursor.at();
-    let bad = ParseError {
-        at,
-        kind: ParseErrorKind::BadTimestamp,
-    };
+    let bad = ParseError { at, kind: ParseErrorKind::BadTimestamp };
     cursor.eat(b'(');
     let decimal = |cursor: &mut Cursor<'_>| match cursor.peek() {
         Some(b'0'..=b'9') => cursor.eat_digit().map(u64::from),
@@ -121,10 +99,7 @@ fn timestamp(cursor: &mut Cursor<'_>) -> Result<u64, ParseError> {
     let (mut seconds, mut any) = (0u64, false);
     while let Some(value) = decimal(cursor) {
         any = true;
-        seconds = seconds
-            .checked_mul(10)
-            .and_then(|s| s.checked_add(value))
-            .ok_or(bad)?;
+        seconds = seconds.checked_mul(10).and_then(|s| s.checked_add(value)).ok_or(bad)?;
     }
     let (mut fraction, mut scale) = (0, 1_000_000_000);
     if cursor.eat(b'.') {
@@ -136,10 +111,7 @@ fn timestamp(cursor: &mut Cursor<'_>) -> Result<u64, ParseError> {
     if !any || !cursor.eat(b')') {
         return Err(bad);
     }
-    seconds
-        .checked_mul(1_000_000_000)
-        .and_then(|ns| ns.checked_add(fraction))
-        .ok_or(bad)
+    seconds.checked_mul(1_000_000_000).and_then(|ns| ns.checked_add(fraction)).ok_or(bad)
 }
 
 /// The columns after the interface on a screen: `[RX|TX] [B|-] [E|-] ID [n] bytes`.
@@ -165,32 +137,20 @@ fn screen_columns(
         word = cursor.word();
     }
     let mut id_cursor = Cursor::new(word);
-    let id = identifier(&mut id_cursor).map_err(|e| ParseError {
-        at: at + e.at,
-        kind: e.kind,
-    })?;
+    let id = identifier(&mut id_cursor).map_err(|e| ParseError { at: at + e.at, kind: e.kind })?;
     if !id_cursor.is_at_end() {
-        return Err(ParseError {
-            at: at + id_cursor.at(),
-            kind: ParseErrorKind::NotHex,
-        });
+        return Err(ParseError { at: at + id_cursor.at(), kind: ParseErrorKind::NotHex });
     }
     cursor.skip_spaces();
     let at = cursor.at();
-    let (len, is_fd) = bracketed_length(cursor.word()).ok_or(ParseError {
-        at,
-        kind: ParseErrorKind::BadLength,
-    })?;
+    let (len, is_fd) = bracketed_length(cursor.word()).ok_or(ParseError { at, kind: ParseErrorKind::BadLength })?;
     cursor.skip_spaces();
     if cursor.peek() == Some(b'r') {
         let remote = cursor.word() == "remote" && cursor.word() == "request";
         let dlc = Dlc::exact(len).filter(|_| remote && !is_fd);
         return match dlc {
             Some(dlc) => Ok((Frame::remote(id, dlc), direction)),
-            None => Err(ParseError {
-                at,
-                kind: ParseErrorKind::BadLength,
-            }),
+            None => Err(ParseError { at, kind: ParseErrorKind::BadLength }),
         };
     }
     let mut bytes = [0; FD_MAX_LEN];
@@ -199,36 +159,18 @@ fn screen_columns(
         let at = cursor.at();
         let byte = match cursor.word().as_bytes() {
             [] => {
-                return Err(ParseError {
-                    at,
-                    kind: ParseErrorKind::BadLength,
-                });
+                return Err(ParseError { at, kind: ParseErrorKind::BadLength });
             }
-            &[high, low] => digit(high)
-                .zip(digit(low))
-                .map(|(high, low)| high << 4 | low),
+            &[high, low] => digit(high).zip(digit(low)).map(|(high, low)| high << 4 | low),
             &[one] if digit(one).is_some() => {
-                return Err(ParseError {
-                    at,
-                    kind: ParseErrorKind::HalfByte,
-                });
+                return Err(ParseError { at, kind: ParseErrorKind::HalfByte });
             }
             _ => None,
         };
-        *slot = byte.ok_or(ParseError {
-            at,
-            kind: ParseErrorKind::NotHex,
-        })?;
+        *slot = byte.ok_or(ParseError { at, kind: ParseErrorKind::NotHex })?;
     }
-    let frame = if is_fd {
-        Frame::fd(id, &bytes[..len], flags)
-    } else {
-        Frame::data(id, &bytes[..len])
-    };
-    let frame = frame.map_err(|e| ParseError {
-        at,
-        kind: ParseErrorKind::Frame(e),
-    })?;
+    let frame = if is_fd { Frame::fd(id, &bytes[..len], flags) } else { Frame::data(id, &bytes[..len]) };
+    let frame = frame.map_err(|e| ParseError { at, kind: ParseErrorKind::Frame(e) })?;
     Ok((frame, direction))
 }
 

@@ -4,10 +4,7 @@ use core::{fmt, str::FromStr};
 
 use embedded_can::{ExtendedId, Id, StandardId};
 
-use crate::{
-    CLASSIC_MAX_LEN, Dlc, FD_MAX_LEN, FdFlags, Format, Frame, ParseError, ParseErrorKind,
-    hex::Cursor,
-};
+use crate::{CLASSIC_MAX_LEN, Dlc, FD_MAX_LEN, FdFlags, Format, Frame, ParseError, ParseErrorKind, hex::Cursor};
 
 const FLAG_BRS: u8 = 0b01;
 const FLAG_ESI: u8 = 0b10;
@@ -30,8 +27,7 @@ impl fmt::Display for Frame {
             }
             Format::Data => {}
             Format::Fd(flags) => {
-                let bits =
-                    if flags.brs { FLAG_BRS } else { 0 } | if flags.esi { FLAG_ESI } else { 0 };
+                let bits = if flags.brs { FLAG_BRS } else { 0 } | if flags.esi { FLAG_ESI } else { 0 };
                 write!(f, "#{bits:X}")?;
             }
         }
@@ -52,11 +48,7 @@ impl FromStr for Frame {
     fn from_str(text: &str) -> Result<Frame, ParseError> {
         let mut cursor = Cursor::new(text);
         let frame = frame(&mut cursor)?;
-        if cursor.is_at_end() {
-            Ok(frame)
-        } else {
-            Err(cursor.error(ParseErrorKind::TrailingText))
-        }
+        if cursor.is_at_end() { Ok(frame) } else { Err(cursor.error(ParseErrorKind::TrailingText)) }
     }
 }
 
@@ -80,9 +72,7 @@ pub(crate) fn identifier(cursor: &mut Cursor<'_>) -> Result<Id, ParseError> {
             .map(Id::Standard)
             .ok_or_else(|| error(ParseErrorKind::IdRange { id: value })),
         8 if value & ERROR_MESSAGE != 0 => Err(error(ParseErrorKind::ErrorMessage)),
-        8 => ExtendedId::new(value)
-            .map(Id::Extended)
-            .ok_or_else(|| error(ParseErrorKind::IdRange { id: value })),
+        8 => ExtendedId::new(value).map(Id::Extended).ok_or_else(|| error(ParseErrorKind::IdRange { id: value })),
         found => Err(error(ParseErrorKind::IdDigits { found })),
     }
 }
@@ -93,26 +83,16 @@ fn frame(cursor: &mut Cursor<'_>) -> Result<Frame, ParseError> {
         return Err(cursor.error(ParseErrorKind::MissingSeparator));
     }
     if cursor.eat(b'#') {
-        let flags = cursor
-            .eat_digit()
-            .ok_or_else(|| cursor.error(ParseErrorKind::MissingFdFlags))?;
+        let flags = cursor.eat_digit().ok_or_else(|| cursor.error(ParseErrorKind::MissingFdFlags))?;
         if flags & !(FLAG_BRS | FLAG_ESI | FLAG_FDF) != 0 {
-            return Err(ParseError {
-                at: cursor.at() - 1,
-                kind: ParseErrorKind::MissingFdFlags,
-            });
+            return Err(ParseError { at: cursor.at() - 1, kind: ParseErrorKind::MissingFdFlags });
         }
         let start = cursor.at();
         let mut bytes = [0; FD_MAX_LEN];
         let len = data(cursor, &mut bytes)?;
-        let flags = FdFlags {
-            brs: flags & FLAG_BRS != 0,
-            esi: flags & FLAG_ESI != 0,
-        };
-        return Frame::fd(id, &bytes[..len], flags).map_err(|e| ParseError {
-            at: start,
-            kind: ParseErrorKind::Frame(e),
-        });
+        let flags = FdFlags { brs: flags & FLAG_BRS != 0, esi: flags & FLAG_ESI != 0 };
+        return Frame::fd(id, &bytes[..len], flags)
+            .map_err(|e| ParseError { at: start, kind: ParseErrorKind::Frame(e) });
     }
     if cursor.eat(b'R') || cursor.eat(b'r') {
         let code = match cursor.peek() {
@@ -128,10 +108,7 @@ fn frame(cursor: &mut Cursor<'_>) -> Result<Frame, ParseError> {
     let mut bytes = [0; CLASSIC_MAX_LEN];
     let len = data(cursor, &mut bytes)?;
     let dlc = raw_dlc(cursor, len as u8)?;
-    Frame::data_with_dlc(id, dlc, &bytes[..len]).map_err(|e| ParseError {
-        at: start,
-        kind: ParseErrorKind::Frame(e),
-    })
+    Frame::data_with_dlc(id, dlc, &bytes[..len]).map_err(|e| ParseError { at: start, kind: ParseErrorKind::Frame(e) })
 }
 
 /// The suffix `_9` to `_F`: the code on the bus when the length is eight.
@@ -141,16 +118,9 @@ fn raw_dlc(cursor: &mut Cursor<'_>, len: u8) -> Result<Dlc, ParseError> {
         let at = cursor.at();
         cursor.eat(b'_');
         code = match cursor.eat_digit() {
-            Some(digit)
-                if usize::from(digit) > CLASSIC_MAX_LEN && usize::from(len) == CLASSIC_MAX_LEN =>
-            {
-                digit
-            }
+            Some(digit) if usize::from(digit) > CLASSIC_MAX_LEN && usize::from(len) == CLASSIC_MAX_LEN => digit,
             _ => {
-                return Err(ParseError {
-                    at,
-                    kind: ParseErrorKind::BadDlc,
-                });
+                return Err(ParseError { at, kind: ParseErrorKind::BadDlc });
             }
         };
     }
@@ -170,22 +140,11 @@ fn data(cursor: &mut Cursor<'_>, bytes: &mut [u8]) -> Result<usize, ParseError> 
             Some(_) => {}
         }
         let at = cursor.at();
-        let high = cursor
-            .eat_digit()
-            .ok_or_else(|| cursor.error(ParseErrorKind::NotHex))?;
-        let low = cursor.eat_digit().ok_or(ParseError {
-            at,
-            kind: ParseErrorKind::HalfByte,
-        })?;
+        let high = cursor.eat_digit().ok_or_else(|| cursor.error(ParseErrorKind::NotHex))?;
+        let low = cursor.eat_digit().ok_or(ParseError { at, kind: ParseErrorKind::HalfByte })?;
         let Some(slot) = bytes.get_mut(len) else {
-            let error = crate::FrameError::TooLong {
-                len: len + 1,
-                max: bytes.len(),
-            };
-            return Err(ParseError {
-                at,
-                kind: ParseErrorKind::Frame(error),
-            });
+            let error = crate::FrameError::TooLong { len: len + 1, max: bytes.len() };
+            return Err(ParseError { at, kind: ParseErrorKind::Frame(error) });
         };
         *slot = high << 4 | low;
         len += 1;

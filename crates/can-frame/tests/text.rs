@@ -2,8 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use can_frame::{
-    Direction, Dlc, ExtendedId, FdFlags, Format, Frame, FrameError, Id, LogLine, ParseErrorKind,
-    StandardId,
+    Direction, Dlc, ExtendedId, FdFlags, Format, Frame, FrameError, Id, LogLine, ParseErrorKind, StandardId,
 };
 use proptest::prelude::*;
 
@@ -27,38 +26,10 @@ fn frames_print_as_candump_prints_them() {
         (Frame::data(ext_id(0x7), &[1]).unwrap(), "00000007#01"),
         (Frame::remote(std_id(0x123), Dlc::ZERO), "123#R"),
         (Frame::remote(ext_id(0x1FFF_FFFF), dlc(5)), "1FFFFFFF#R5"),
-        (
-            Frame::fd(std_id(0x123), &[], FdFlags::default()).unwrap(),
-            "123##0",
-        ),
-        (
-            Frame::fd(
-                std_id(0x123),
-                &[0xAB],
-                FdFlags {
-                    brs: true,
-                    esi: false,
-                },
-            )
-            .unwrap(),
-            "123##1AB",
-        ),
-        (
-            Frame::fd(
-                std_id(0x123),
-                &[0xAB],
-                FdFlags {
-                    brs: true,
-                    esi: true,
-                },
-            )
-            .unwrap(),
-            "123##3AB",
-        ),
-        (
-            Frame::data_with_dlc(std_id(0x123), dlc(14), &[1, 2, 3, 4, 5, 6, 7, 8]).unwrap(),
-            "123#0102030405060708_E",
-        ),
+        (Frame::fd(std_id(0x123), &[], FdFlags::default()).unwrap(), "123##0"),
+        (Frame::fd(std_id(0x123), &[0xAB], FdFlags { brs: true, esi: false }).unwrap(), "123##1AB"),
+        (Frame::fd(std_id(0x123), &[0xAB], FdFlags { brs: true, esi: true }).unwrap(), "123##3AB"),
+        (Frame::data_with_dlc(std_id(0x123), dlc(14), &[1, 2, 3, 4, 5, 6, 7, 8]).unwrap(), "123#0102030405060708_E"),
     ];
     for (frame, text) in cases {
         assert_eq!(frame.to_string(), text);
@@ -71,18 +42,9 @@ fn frames_print_as_candump_prints_them() {
 fn cansend_spellings_are_understood() {
     let plain: Frame = "123#11223344".parse().unwrap();
     assert_eq!("123#11.22.33.44".parse::<Frame>().unwrap(), plain);
-    assert_eq!(
-        "123#R0".parse::<Frame>().unwrap(),
-        Frame::remote(std_id(0x123), Dlc::ZERO)
-    );
-    assert_eq!(
-        "123#r8_A".parse::<Frame>().unwrap(),
-        Frame::remote(std_id(0x123), dlc(10))
-    );
-    assert_eq!(
-        "123##5aa".parse::<Frame>().unwrap(),
-        "123##1AA".parse::<Frame>().unwrap()
-    );
+    assert_eq!("123#R0".parse::<Frame>().unwrap(), Frame::remote(std_id(0x123), Dlc::ZERO));
+    assert_eq!("123#r8_A".parse::<Frame>().unwrap(), Frame::remote(std_id(0x123), dlc(10)));
+    assert_eq!("123##5aa".parse::<Frame>().unwrap(), "123##1AA".parse::<Frame>().unwrap());
 }
 
 #[test]
@@ -103,16 +65,8 @@ fn broken_frames_say_where_and_why() {
         ("123##", 5, ParseErrorKind::MissingFdFlags),
         ("123##8", 5, ParseErrorKind::MissingFdFlags),
         ("123#R5 x", 6, ParseErrorKind::TrailingText),
-        (
-            "123#112233445566778899",
-            20,
-            ParseErrorKind::Frame(FrameError::TooLong { len: 9, max: 8 }),
-        ),
-        (
-            "123##0112233445566778899",
-            6,
-            ParseErrorKind::Frame(FrameError::NotAnFdLength { len: 9, next: 12 }),
-        ),
+        ("123#112233445566778899", 20, ParseErrorKind::Frame(FrameError::TooLong { len: 9, max: 8 })),
+        ("123##0112233445566778899", 6, ParseErrorKind::Frame(FrameError::NotAnFdLength { len: 9, next: 12 })),
     ];
     for (text, at, kind) in cases {
         let error = text.parse::<Frame>().expect_err(text);
@@ -130,38 +84,21 @@ fn log_lines_in_both_directions() {
     assert_eq!(line.to_string(), text);
 
     let line = LogLine::parse("  (0000000001.5) can1 12345678##2AA T\n").unwrap();
-    assert_eq!(
-        (line.nanoseconds, line.direction),
-        (1_500_000_000, Some(Direction::Transmitted))
-    );
+    assert_eq!((line.nanoseconds, line.direction), (1_500_000_000, Some(Direction::Transmitted)));
     assert_eq!(line.to_string(), "(0000000001.500000) can1 12345678##2AA T");
-    assert_eq!(
-        LogLine::parse("(1.0) can1 123#R R").unwrap().direction,
-        Some(Direction::Received)
-    );
+    assert_eq!(LogLine::parse("(1.0) can1 123#R R").unwrap().direction, Some(Direction::Received));
 }
 
 #[test]
 fn screen_lines_of_candump() {
     let line = LogLine::parse("  can0  123   [4]  DE AD BE EF").unwrap();
     assert_eq!(line.frame, "123#DEADBEEF".parse().unwrap());
-    let line = LogLine::parse(
-        " (12.000001)  can0  RX B E  12345678  [12]  00 01 02 03 04 05 06 07 08 09 0A 0B",
-    )
-    .unwrap();
-    assert_eq!(
-        line.frame,
-        "12345678##3000102030405060708090A0B".parse().unwrap()
-    );
-    assert_eq!(
-        (line.nanoseconds, line.direction),
-        (12_000_001_000, Some(Direction::Received))
-    );
+    let line =
+        LogLine::parse(" (12.000001)  can0  RX B E  12345678  [12]  00 01 02 03 04 05 06 07 08 09 0A 0B").unwrap();
+    assert_eq!(line.frame, "12345678##3000102030405060708090A0B".parse().unwrap());
+    assert_eq!((line.nanoseconds, line.direction), (12_000_001_000, Some(Direction::Received)));
     let line = LogLine::parse("  can0  TX - -  7FF   [0]  remote request").unwrap();
-    assert_eq!(
-        (line.frame, line.direction),
-        ("7FF#R".parse().unwrap(), Some(Direction::Transmitted))
-    );
+    assert_eq!((line.frame, line.direction), ("7FF#R".parse().unwrap(), Some(Direction::Transmitted)));
 }
 
 #[test]
@@ -169,11 +106,7 @@ fn broken_log_lines_say_where_and_why() {
     let cases = [
         ("(1.0 can0 123#", 0, ParseErrorKind::BadTimestamp),
         ("(.5) can0 123#", 0, ParseErrorKind::BadTimestamp),
-        (
-            "(99999999999999999999.0) can0 123#",
-            0,
-            ParseErrorKind::BadTimestamp,
-        ),
+        ("(99999999999999999999.0) can0 123#", 0, ParseErrorKind::BadTimestamp),
         ("(1.0)", 5, ParseErrorKind::MissingColumn),
         ("(1.0) can0", 10, ParseErrorKind::MissingColumn),
         ("(1.0) can0 123#1", 15, ParseErrorKind::HalfByte),
@@ -194,27 +127,14 @@ fn broken_log_lines_say_where_and_why() {
 #[test]
 fn constructors_refuse_what_does_not_exist() {
     let id = std_id(1);
-    assert_eq!(
-        Frame::data(id, &[0; 9]),
-        Err(FrameError::TooLong { len: 9, max: 8 })
-    );
-    assert_eq!(
-        Frame::fd(id, &[0; 65], FdFlags::default()),
-        Err(FrameError::TooLong { len: 65, max: 64 })
-    );
+    assert_eq!(Frame::data(id, &[0; 9]), Err(FrameError::TooLong { len: 9, max: 8 }));
+    assert_eq!(Frame::fd(id, &[0; 65], FdFlags::default()), Err(FrameError::TooLong { len: 65, max: 64 }));
     assert_eq!(
         Frame::data_with_dlc(id, dlc(9), &[0; 7]),
-        Err(FrameError::DlcMismatch {
-            code: 9,
-            len: 7,
-            expected: 8
-        })
+        Err(FrameError::DlcMismatch { code: 9, len: 7, expected: 8 })
     );
     let padded = Frame::fd_padded(id, &[1; 9], 0xCC, FdFlags::default()).unwrap();
-    assert_eq!(
-        padded.data_bytes(),
-        [1, 1, 1, 1, 1, 1, 1, 1, 1, 0xCC, 0xCC, 0xCC]
-    );
+    assert_eq!(padded.data_bytes(), [1, 1, 1, 1, 1, 1, 1, 1, 1, 0xCC, 0xCC, 0xCC]);
     assert_eq!(padded.dlc(), dlc(9));
 }
 
@@ -223,31 +143,16 @@ fn embedded_can_drivers_see_the_classic_part() {
     use embedded_can::Frame as _;
     let frame = <Frame as embedded_can::Frame>::new(std_id(0x10), &[1, 2]).unwrap();
     assert!(frame.is_data_frame() && frame.is_standard());
-    assert_eq!(
-        (
-            embedded_can::Frame::dlc(&frame),
-            embedded_can::Frame::data(&frame)
-        ),
-        (2, &[1u8, 2][..])
-    );
+    assert_eq!((embedded_can::Frame::dlc(&frame), embedded_can::Frame::data(&frame)), (2, &[1u8, 2][..]));
     assert!(<Frame as embedded_can::Frame>::new(std_id(0x10), &[0; 12]).is_none());
     let remote = <Frame as embedded_can::Frame>::new_remote(ext_id(0x10), 3).unwrap();
     assert!(remote.is_remote_frame());
-    assert_eq!(
-        (
-            embedded_can::Frame::dlc(&remote),
-            embedded_can::Frame::data(&remote)
-        ),
-        (3, &[][..])
-    );
+    assert_eq!((embedded_can::Frame::dlc(&remote), embedded_can::Frame::data(&remote)), (3, &[][..]));
     assert!(<Frame as embedded_can::Frame>::new_remote(ext_id(0x10), 12).is_none());
 }
 
 fn any_frame() -> impl Strategy<Value = Frame> {
-    let id = prop_oneof![
-        (0u16..0x800).prop_map(std_id),
-        (0u32..0x2000_0000).prop_map(ext_id)
-    ];
+    let id = prop_oneof![(0u16..0x800).prop_map(std_id), (0u32..0x2000_0000).prop_map(ext_id)];
     let format = prop_oneof![
         Just(Format::Data),
         Just(Format::Remote),

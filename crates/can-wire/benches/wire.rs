@@ -61,55 +61,35 @@ fn frame_time() -> Time {
 #[divan::bench(sample_count = 10, sample_size = 1, args = [2, 4, 16, 64])]
 fn bit_path(bencher: Bencher<'_, '_>, nodes: usize) {
     let (mut wire, nodes) = wire(nodes, NodeConfig::new(), false);
-    bencher
-        .counter(ItemsCount::new(FRAMES))
-        .bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
+    bencher.counter(ItemsCount::new(FRAMES)).bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
 }
 
 #[divan::bench(sample_count = 10, sample_size = 1, args = [2, 4, 16, 64])]
 fn fast_path(bencher: Bencher<'_, '_>, nodes: usize) {
     let (mut wire, nodes) = wire(nodes, NodeConfig::new(), true);
-    bencher
-        .counter(ItemsCount::new(FRAMES))
-        .bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
+    bencher.counter(ItemsCount::new(FRAMES)).bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
 }
 
 /// With 50 ns to and from the bus at every node.
 #[divan::bench(sample_count = 10, sample_size = 1, args = [2, 16])]
 fn bit_path_with_delays(bencher: Bencher<'_, '_>, nodes: usize) {
-    let config = NodeConfig {
-        tx_delay: Time::from_ns(50),
-        rx_delay: Time::from_ns(50),
-        ..NodeConfig::new()
-    };
+    let config = NodeConfig { tx_delay: Time::from_ns(50), rx_delay: Time::from_ns(50), ..NodeConfig::new() };
     let (mut wire, nodes) = wire(nodes, config, false);
-    bencher
-        .counter(ItemsCount::new(FRAMES))
-        .bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
+    bencher.counter(ItemsCount::new(FRAMES)).bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
 }
 
 /// With 50 ns to and from the bus at every node.
 #[divan::bench(sample_count = 10, sample_size = 1, args = [2, 16])]
 fn fast_path_with_delays(bencher: Bencher<'_, '_>, nodes: usize) {
-    let config = NodeConfig {
-        tx_delay: Time::from_ns(50),
-        rx_delay: Time::from_ns(50),
-        ..NodeConfig::new()
-    };
+    let config = NodeConfig { tx_delay: Time::from_ns(50), rx_delay: Time::from_ns(50), ..NodeConfig::new() };
     let (mut wire, nodes) = wire(nodes, config, true);
-    bencher
-        .counter(ItemsCount::new(FRAMES))
-        .bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
+    bencher.counter(ItemsCount::new(FRAMES)).bench_local(|| exchange(&mut wire, &nodes, frame(), FRAMES));
 }
 
 /// FD frames of 64 bytes with bit-rate switch to 5 Mbit/s.
 #[divan::bench(sample_count = 10, sample_size = 1, args = [false, true])]
 fn fd_64_bytes(bencher: Bencher<'_, '_>, fast: bool) {
     let (mut wire, nodes) = wire(2, NodeConfig::new(), fast);
-    let frame: Frame = format!("123##1{}", "0123456789ABCDEF".repeat(8))
-        .parse()
-        .unwrap();
-    bencher
-        .counter(ItemsCount::new(FRAMES))
-        .bench_local(|| exchange(&mut wire, &nodes, frame, FRAMES));
+    let frame: Frame = format!("123##1{}", "0123456789ABCDEF".repeat(8)).parse().unwrap();
+    bencher.counter(ItemsCount::new(FRAMES)).bench_local(|| exchange(&mut wire, &nodes, frame, FRAMES));
 }

@@ -16,8 +16,7 @@ use std::{
 
 use can_frame::{Frame, LogLine};
 use can_wire::{
-    DelayCompensation, ErrorState, Event, EventKind, Mode, NodeConfig, NodeId, Time, TraceSink,
-    Wire,
+    DelayCompensation, ErrorState, Event, EventKind, Mode, NodeConfig, NodeId, Time, TraceSink, Wire,
     output::{CandumpLog, FrameCapture, PcapNg, Tap, Vcd},
 };
 use clap::Parser;
@@ -106,9 +105,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     wire.set_trace(Some(Box::new(outputs.sinks())));
 
     let bar = ProgressBar::new(frames.len() as u64);
-    bar.set_style(ProgressStyle::with_template(
-        "{wide_bar} {pos}/{len} frames, {eta} left",
-    )?);
+    bar.set_style(ProgressStyle::with_template("{wide_bar} {pos}/{len} frames, {eta} left")?);
     let totals = replay(arguments, &mut wire, &nodes, frames, &bar)?;
     bar.finish_and_clear();
 
@@ -121,9 +118,7 @@ fn read_log(arguments: &Arguments) -> Result<Vec<Scheduled>, Box<dyn Error>> {
     let reader: Box<dyn BufRead> = if arguments.log == Path::new("-") {
         Box::new(io::stdin().lock())
     } else {
-        Box::new(BufReader::new(
-            File::open(&arguments.log).map_err(|e| format!("{}: {e}", arguments.log.display()))?,
-        ))
+        Box::new(BufReader::new(File::open(&arguments.log).map_err(|e| format!("{}: {e}", arguments.log.display()))?))
     };
     let mut frames: Vec<Scheduled> = Vec::new();
     let mut interfaces = BTreeMap::new();
@@ -133,29 +128,13 @@ fn read_log(arguments: &Arguments) -> Result<Vec<Scheduled>, Box<dyn Error>> {
         if line.trim().is_empty() {
             continue;
         }
-        let parsed = LogLine::parse(&line).map_err(|error| {
-            format!(
-                "{}:{}: {error}\n{line}",
-                arguments.log.display(),
-                number + 1
-            )
-        })?;
+        let parsed = LogLine::parse(&line)
+            .map_err(|error| format!("{}:{}: {error}\n{line}", arguments.log.display(), number + 1))?;
         let next = interfaces.len();
-        let sender = *interfaces
-            .entry(parsed.interface.to_owned())
-            .or_insert(next)
-            % usize::from(arguments.nodes);
+        let sender = *interfaces.entry(parsed.interface.to_owned()).or_insert(next) % usize::from(arguments.nodes);
         let start = *start.get_or_insert(parsed.nanoseconds);
-        let at = if arguments.back_to_back {
-            0
-        } else {
-            parsed.nanoseconds.saturating_sub(start)
-        };
-        frames.push(Scheduled {
-            at: Time::from_ns(at),
-            sender,
-            frame: parsed.frame,
-        });
+        let at = if arguments.back_to_back { 0 } else { parsed.nanoseconds.saturating_sub(start) };
+        frames.push(Scheduled { at: Time::from_ns(at), sender, frame: parsed.frame });
     }
     frames.sort_by_key(|scheduled| scheduled.at);
     Ok(frames)
@@ -163,14 +142,9 @@ fn read_log(arguments: &Arguments) -> Result<Vec<Scheduled>, Box<dyn Error>> {
 
 fn build_wire(arguments: &Arguments) -> Result<(Wire, Vec<NodeId>), Box<dyn Error>> {
     let delay = Time::from_ns(arguments.delay_ns);
-    let mut config = NodeConfig {
-        clock_hz: arguments.clock,
-        tx_delay: delay,
-        rx_delay: delay,
-        ..NodeConfig::new()
-    }
-    .with_rate(arguments.bitrate)?
-    .with_data_rate(arguments.data_bitrate)?;
+    let mut config = NodeConfig { clock_hz: arguments.clock, tx_delay: delay, rx_delay: delay, ..NodeConfig::new() }
+        .with_rate(arguments.bitrate)?
+        .with_data_rate(arguments.data_bitrate)?;
     let offset = config.data.sample_quanta() * u64::from(config.data.prescaler);
     config.delay_compensation = Some(DelayCompensation::measured(i16::try_from(offset)?));
     let mut wire = Wire::new();
@@ -209,8 +183,7 @@ fn replay(
         // Everything that is due now; back to back a few at a time, so that the order of the log is kept.
         let due = |scheduled: &Scheduled, now: Time| start + scheduled.at <= now;
         while let Some(scheduled) = frames.next_if(|scheduled| {
-            due(scheduled, wire.now())
-                && (!arguments.back_to_back || queues.iter().all(VecDeque::is_empty))
+            due(scheduled, wire.now()) && (!arguments.back_to_back || queues.iter().all(VecDeque::is_empty))
         }) {
             let queue = &mut queues[scheduled.sender];
             queue.push_back(scheduled.frame);
@@ -277,18 +250,12 @@ fn handle(
             totals.failed += 1;
             false
         }
-        EventKind::ErrorState {
-            to: ErrorState::BusOff,
-            ..
-        } => {
+        EventKind::ErrorState { to: ErrorState::BusOff, .. } => {
             totals.bus_off += 1;
             wire.start_recovery(node)?;
             return Ok(false);
         }
-        EventKind::ErrorState {
-            from: ErrorState::BusOff,
-            ..
-        } => false,
+        EventKind::ErrorState { from: ErrorState::BusOff, .. } => false,
         _ => return Ok(false),
     };
     if let Some(frame) = queue.front() {
@@ -315,27 +282,12 @@ struct Outputs {
 }
 
 impl Outputs {
-    fn open(
-        arguments: &Arguments,
-        nodes: usize,
-        reference: NodeId,
-    ) -> Result<Outputs, Box<dyn Error>> {
+    fn open(arguments: &Arguments, nodes: usize, reference: NodeId) -> Result<Outputs, Box<dyn Error>> {
         let create = |path: &PathBuf| -> Result<BufWriter<File>, Box<dyn Error>> {
-            Ok(BufWriter::new(
-                File::create(path).map_err(|e| format!("{}: {e}", path.display()))?,
-            ))
+            Ok(BufWriter::new(File::create(path).map_err(|e| format!("{}: {e}", path.display()))?))
         };
-        let tap = if arguments.each_node {
-            Tap::EachNode
-        } else {
-            Tap::Bus
-        };
-        let mut outputs = Outputs {
-            vcd: None,
-            candump: None,
-            pcapng: None,
-            capture: None,
-        };
+        let tap = if arguments.each_node { Tap::EachNode } else { Tap::Bus };
+        let mut outputs = Outputs { vcd: None, candump: None, pcapng: None, capture: None };
         if let Some(path) = &arguments.vcd {
             outputs.vcd = shared(Vcd::new(create(path)?, nodes)?);
         }
@@ -352,14 +304,8 @@ impl Outputs {
     }
 
     fn sinks(&self) -> Vec<Box<dyn TraceSink + Send>> {
-        fn add<T: TraceSink + Send + 'static>(
-            sinks: &mut Vec<Box<dyn TraceSink + Send>>,
-            sink: &Shared<T>,
-        ) {
-            sinks.extend(
-                sink.iter()
-                    .map(|sink| Box::new(Arc::clone(sink)) as Box<dyn TraceSink + Send>),
-            );
+        fn add<T: TraceSink + Send + 'static>(sinks: &mut Vec<Box<dyn TraceSink + Send>>, sink: &Shared<T>) {
+            sinks.extend(sink.iter().map(|sink| Box::new(Arc::clone(sink)) as Box<dyn TraceSink + Send>));
         }
         let mut sinks = Vec::new();
         add(&mut sinks, &self.vcd);
@@ -387,9 +333,7 @@ impl Outputs {
             return Err(format!("there is no frame number {}", arguments.frame).into());
         }
         match &arguments.timeline {
-            Some(path) if path == Path::new("-") => {
-                io::stdout().write_all(capture.timeline().as_bytes())?
-            }
+            Some(path) if path == Path::new("-") => io::stdout().write_all(capture.timeline().as_bytes())?,
             Some(path) => std::fs::write(path, capture.timeline())?,
             None => {}
         }
@@ -403,10 +347,7 @@ impl Outputs {
 fn report(wire: &Wire, nodes: &[NodeId], totals: &Totals, arguments: &Arguments) {
     let mut out = String::new();
     out += &format!("{} frames in {}", totals.sent, wire.now());
-    out += &format!(
-        ", {} times arbitration lost, {} failed",
-        totals.lost_arbitration, totals.failed
-    );
+    out += &format!(", {} times arbitration lost, {} failed", totals.lost_arbitration, totals.failed);
     if totals.bus_off > 0 {
         out += &format!(", {} times bus off", totals.bus_off);
     }

@@ -30,11 +30,7 @@ struct Arguments {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     let delay = Time::from_ns(arguments.delay_ns);
-    let config = NodeConfig {
-        tx_delay: delay,
-        rx_delay: delay,
-        ..NodeConfig::new()
-    };
+    let config = NodeConfig { tx_delay: delay, rx_delay: delay, ..NodeConfig::new() };
     let mut wire = Wire::new();
     wire.set_fast_path(!arguments.bit_path);
     let mut nodes: Vec<NodeId> = Vec::new();
@@ -44,10 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         nodes.push(node);
     }
     wire.run_until(Time::from_us(50), |_, _| {});
-    println!(
-        "{:>12} {:>14} {:>12} {:>12} {:>10}",
-        "frames", "simulated", "real time", "frames/s", "memory"
-    );
+    println!("{:>12} {:>14} {:>12} {:>12} {:>10}", "frames", "simulated", "real time", "frames/s", "memory");
     let (start, began) = (wire.now(), Instant::now());
     let mut sent = 0;
     wire.send(nodes[0], arguments.frame)?;
@@ -73,18 +66,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         wire.send(nodes[next], arguments.frame)?;
     }
     let statistics = wire.statistics();
-    println!(
-        "{} frames stepped over, {} steps of nodes",
-        statistics.frames_skipped, statistics.steps
-    );
+    println!("{} frames stepped over, {} steps of nodes", statistics.frames_skipped, statistics.steps);
     Ok(())
 }
 
 /// Resident memory of this process, where the system tells.
 fn memory() -> Option<String> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
     Some(line.trim().to_owned())
 }

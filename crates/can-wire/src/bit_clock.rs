@@ -105,11 +105,7 @@ impl BitClock {
         let now = Fine::from_time(now);
         let ticks = now.ticks_since(Fine::default(), self.clock);
         let grid = Fine::default().plus(ticks, self.clock);
-        self.start = if grid < now {
-            grid.plus(1, self.clock)
-        } else {
-            grid
-        };
+        self.start = if grid < now { grid.plus(1, self.clock) } else { grid };
         self.sampled = self.start;
         self.set_next_sample(self.start.plus(self.nominal.before, self.nominal.quantum));
         self.data_before = false;
@@ -189,17 +185,11 @@ impl BitClock {
             return Effect::Nothing;
         }
         let seen = self.sampled.plus(elapsed, quantum);
-        let seen = if seen < at {
-            self.sampled.plus(elapsed + 1, quantum)
-        } else {
-            seen
-        };
+        let seen = if seen < at { self.sampled.plus(elapsed + 1, quantum) } else { seen };
         self.start = self.start.minus(shorter, quantum);
         let next = self.segments(self.data_after);
         self.set_next_sample(self.start.plus(next.before, next.quantum));
-        Effect::Moved {
-            output_from: seen.max(self.start),
-        }
+        Effect::Moved { output_from: seen.max(self.start) }
     }
 
     /// The edge lies between the start of the bit and its sample point: a positive phase error, or none within the
@@ -209,11 +199,7 @@ impl BitClock {
             let segments = self.segments(self.data_after);
             (segments.quantum, segments.before, segments.sjw)
         };
-        let late = if at.is_within_first(self.start, quantum) {
-            0
-        } else {
-            at.ticks_since(self.start, quantum)
-        };
+        let late = if at.is_within_first(self.start, quantum) { 0 } else { at.ticks_since(self.start, quantum) };
         match sync {
             Sync::None => Effect::Nothing,
             Sync::Hard => {
@@ -223,9 +209,7 @@ impl BitClock {
                 }
                 self.start = self.start.plus(late, quantum);
                 self.set_next_sample(self.start.plus(before, quantum));
-                Effect::Moved {
-                    output_from: self.start,
-                }
+                Effect::Moved { output_from: self.start }
             }
             Sync::Resync if late > 0 && driving_dominant => Effect::Nothing,
             Sync::Resync => {
@@ -234,9 +218,7 @@ impl BitClock {
                     return Effect::Nothing;
                 }
                 self.set_next_sample(self.next_sample.plus(late.min(sjw), quantum));
-                Effect::Moved {
-                    output_from: self.start,
-                }
+                Effect::Moved { output_from: self.start }
             }
         }
     }
@@ -248,19 +230,8 @@ mod tests {
 
     /// 10 MHz, 10 quanta per bit of 100 ns, sample point after 7, jump width 2.
     fn clock() -> BitClock {
-        let timing = BitTiming {
-            prescaler: 1,
-            prop_seg: 2,
-            phase_seg1: 4,
-            phase_seg2: 3,
-            sjw: 2,
-        };
-        let config = NodeConfig {
-            clock_hz: 10_000_000,
-            nominal: timing,
-            data: timing,
-            ..NodeConfig::new()
-        };
+        let timing = BitTiming { prescaler: 1, prop_seg: 2, phase_seg1: 4, phase_seg2: 3, sjw: 2 };
+        let config = NodeConfig { clock_hz: 10_000_000, nominal: timing, data: timing, ..NodeConfig::new() };
         let mut clock = BitClock::new(&config);
         clock.restart(Time::from_ns(1_000));
         clock.sampled(true, false);
@@ -276,10 +247,7 @@ mod tests {
     fn an_edge_in_the_synchronization_segment_changes_nothing() {
         for ns in [2_000, 2_050, 2_099] {
             let mut clock = clock();
-            assert_eq!(
-                clock.edge(Time::from_ns(ns), Sync::Resync, false),
-                Effect::Nothing
-            );
+            assert_eq!(clock.edge(Time::from_ns(ns), Sync::Resync, false), Effect::Nothing);
             assert!(!clock.may_sync, "the edge is used up");
             assert_eq!(times(&clock), (2_000, 2_700));
         }
@@ -287,12 +255,7 @@ mod tests {
 
     #[test]
     fn a_late_edge_lengthens_phase_segment_1_by_the_jump_width_at_most() {
-        for (ns, sample) in [
-            (2_100, 2_800),
-            (2_250, 2_900),
-            (2_399, 2_900),
-            (2_650, 2_900),
-        ] {
+        for (ns, sample) in [(2_100, 2_800), (2_250, 2_900), (2_399, 2_900), (2_650, 2_900)] {
             let mut clock = clock();
             clock.edge(Time::from_ns(ns), Sync::Resync, false);
             assert_eq!(times(&clock), (2_000, sample), "edge at {ns}");
@@ -302,42 +265,26 @@ mod tests {
     #[test]
     fn an_early_edge_shortens_phase_segment_2_by_the_jump_width_at_most() {
         // Output changes no earlier than the tick that sees the edge.
-        for (ns, start, output) in [
-            (1_950, 1_900, 2_000),
-            (1_900, 1_900, 1_900),
-            (1_850, 1_800, 1_900),
-            (1_720, 1_800, 1_800),
-        ] {
+        for (ns, start, output) in
+            [(1_950, 1_900, 2_000), (1_900, 1_900, 1_900), (1_850, 1_800, 1_900), (1_720, 1_800, 1_800)]
+        {
             let mut clock = clock();
             let effect = clock.edge(Time::from_ns(ns), Sync::Resync, false);
             assert_eq!(times(&clock), (start, start + 700), "edge at {ns}");
-            assert_eq!(
-                effect,
-                Effect::Moved {
-                    output_from: Fine::from_time(Time::from_ns(output))
-                }
-            );
+            assert_eq!(effect, Effect::Moved { output_from: Fine::from_time(Time::from_ns(output)) });
         }
     }
 
     #[test]
     fn a_node_that_sends_dominant_ignores_late_edges() {
         let mut clock = clock();
-        assert_eq!(
-            clock.edge(Time::from_ns(2_350), Sync::Resync, true),
-            Effect::Nothing
-        );
+        assert_eq!(clock.edge(Time::from_ns(2_350), Sync::Resync, true), Effect::Nothing);
         assert_eq!(times(&clock), (2_000, 2_700));
     }
 
     #[test]
     fn hard_synchronization_restarts_the_bit_at_the_quantum_of_the_edge() {
-        for (ns, start) in [
-            (1_720, 1_700),
-            (1_950, 1_900),
-            (2_050, 2_000),
-            (2_650, 2_600),
-        ] {
+        for (ns, start) in [(1_720, 1_700), (1_950, 1_900), (2_050, 2_000), (2_650, 2_600)] {
             let mut clock = clock();
             clock.edge(Time::from_ns(ns), Sync::Hard, false);
             assert_eq!(times(&clock), (start, start + 700), "edge at {ns}");

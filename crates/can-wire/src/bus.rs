@@ -26,10 +26,7 @@ pub(crate) struct Bus {
 
 impl Bus {
     pub(crate) fn new() -> Bus {
-        Bus {
-            level: true,
-            ..Bus::default()
-        }
+        Bus { level: true, ..Bus::default() }
     }
 
     pub(crate) fn add_node(&mut self) {
@@ -43,12 +40,7 @@ impl Bus {
     /// A node's output changes and arrives at the bus at `at`, later than now.
     pub(crate) fn send(&mut self, node: usize, level: bool, at: u64) {
         self.order += 1;
-        self.in_flight.push(Reverse(InFlight {
-            at,
-            order: self.order,
-            node,
-            level,
-        }));
+        self.in_flight.push(Reverse(InFlight { at, order: self.order, node, level }));
     }
 
     #[inline]
@@ -57,9 +49,7 @@ impl Bus {
     }
 
     pub(crate) fn take_arrival(&mut self) -> Option<(usize, bool)> {
-        self.in_flight
-            .pop()
-            .map(|Reverse(change)| (change.node, change.level))
+        self.in_flight.pop().map(|Reverse(change)| (change.node, change.level))
     }
 
     /// Sets what a node contributes; returns the new level of the bus if it changes.
@@ -84,9 +74,6 @@ impl Bus {
     }
 
     pub(crate) fn is_quiet(&self) -> bool {
-        self.level
-            && self.dominant == 0
-            && self.in_flight.is_empty()
-            && self.disturbances.is_empty()
+        self.level && self.dominant == 0 && self.in_flight.is_empty() && self.disturbances.is_empty()
     }
 }

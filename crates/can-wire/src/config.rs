@@ -77,10 +77,7 @@ impl Mode {
     }
 
     pub(crate) const fn can_transmit(self) -> bool {
-        matches!(
-            self,
-            Mode::Normal | Mode::InternalLoopback | Mode::ExternalLoopback
-        )
+        matches!(self, Mode::Normal | Mode::InternalLoopback | Mode::ExternalLoopback)
     }
 }
 
@@ -127,20 +124,8 @@ impl NodeConfig {
         NodeConfig {
             clock_hz: 40_000_000,
             clock_ppm: 0,
-            nominal: BitTiming {
-                prescaler: 1,
-                prop_seg: 15,
-                phase_seg1: 16,
-                phase_seg2: 8,
-                sjw: 8,
-            },
-            data: BitTiming {
-                prescaler: 1,
-                prop_seg: 2,
-                phase_seg1: 3,
-                phase_seg2: 2,
-                sjw: 2,
-            },
+            nominal: BitTiming { prescaler: 1, prop_seg: 15, phase_seg1: 16, phase_seg2: 8, sjw: 8 },
+            data: BitTiming { prescaler: 1, prop_seg: 2, phase_seg1: 3, phase_seg2: 2, sjw: 2 },
             delay_compensation: None,
             tx_delay: Time::ZERO,
             rx_delay: Time::ZERO,
@@ -185,13 +170,8 @@ impl NodeConfig {
     }
 
     fn bit_time(&self, timing: &BitTiming) -> Time {
-        let tick = crate::time::Tick::of_clock(self.clock_hz.max(1), self.clock_ppm)
-            .times(timing.prescaler);
-        Time::from_ps(
-            crate::time::Fine::default()
-                .plus(timing.quanta(), tick)
-                .ceil(),
-        )
+        let tick = crate::time::Tick::of_clock(self.clock_hz.max(1), self.clock_ppm).times(timing.prescaler);
+        Time::from_ps(crate::time::Fine::default().plus(timing.quanta(), tick).ceil())
     }
 
     /// Checks that the values describe a node.
@@ -199,13 +179,9 @@ impl NodeConfig {
     /// # Errors
     /// The first [`TimingError`] found.
     pub fn check(&self) -> Result<(), TimingError> {
-        let clock_ok = (1_000..=1_000_000_000).contains(&self.clock_hz)
-            && self.clock_ppm.unsigned_abs() < 100_000;
+        let clock_ok = (1_000..=1_000_000_000).contains(&self.clock_hz) && self.clock_ppm.unsigned_abs() < 100_000;
         if !clock_ok {
-            return Err(TimingError::Clock {
-                hz: self.clock_hz,
-                ppm: self.clock_ppm,
-            });
+            return Err(TimingError::Clock { hz: self.clock_hz, ppm: self.clock_ppm });
         }
         for timing in [&self.nominal, &self.data] {
             timing.check()?;
@@ -218,38 +194,13 @@ impl NodeConfig {
             if (u64::from(min)..=u64::from(max)).contains(&value) {
                 Ok(())
             } else {
-                Err(TimingError::Segment {
-                    name,
-                    value: value.min(u64::from(u16::MAX)) as u16,
-                    min,
-                    max,
-                })
+                Err(TimingError::Segment { name, value: value.min(u64::from(u16::MAX)) as u16, min, max })
             }
         };
-        range(
-            "rec_after_passive",
-            u64::from(self.rec_after_passive),
-            119,
-            127,
-        )?;
-        range(
-            "recovery_sequences",
-            u64::from(self.recovery_sequences),
-            1,
-            1024,
-        )?;
-        range(
-            "tx_delay in microseconds",
-            self.tx_delay.as_ps() / 1_000_000,
-            0,
-            1_000,
-        )?;
-        range(
-            "rx_delay in microseconds",
-            self.rx_delay.as_ps() / 1_000_000,
-            0,
-            1_000,
-        )
+        range("rec_after_passive", u64::from(self.rec_after_passive), 119, 127)?;
+        range("recovery_sequences", u64::from(self.recovery_sequences), 1, 1024)?;
+        range("tx_delay in microseconds", self.tx_delay.as_ps() / 1_000_000, 0, 1_000)?;
+        range("rx_delay in microseconds", self.rx_delay.as_ps() / 1_000_000, 0, 1_000)
     }
 }
 

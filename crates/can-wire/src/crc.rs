@@ -19,33 +19,21 @@ impl Crc {
     /// CRC-15, for classic frames; starts at zero.
     #[must_use]
     pub const fn crc15() -> Crc {
-        Crc {
-            polynomial: CRC15_POLYNOMIAL,
-            width: 15,
-            register: 0,
-        }
+        Crc { polynomial: CRC15_POLYNOMIAL, width: 15, register: 0 }
     }
 
     /// CRC-17, for FD frames of up to 16 data bytes. The ISO format starts with the top bit set, the earlier non-ISO
     /// format at zero.
     #[must_use]
     pub const fn crc17(iso: bool) -> Crc {
-        Crc {
-            polynomial: CRC17_POLYNOMIAL,
-            width: 17,
-            register: if iso { 1 << 16 } else { 0 },
-        }
+        Crc { polynomial: CRC17_POLYNOMIAL, width: 17, register: if iso { 1 << 16 } else { 0 } }
     }
 
     /// CRC-21, for FD frames of more than 16 data bytes. The ISO format starts with the top bit set, the earlier
     /// non-ISO format at zero.
     #[must_use]
     pub const fn crc21(iso: bool) -> Crc {
-        Crc {
-            polynomial: CRC21_POLYNOMIAL,
-            width: 21,
-            register: if iso { 1 << 20 } else { 0 },
-        }
+        Crc { polynomial: CRC21_POLYNOMIAL, width: 21, register: if iso { 1 << 20 } else { 0 } }
     }
 
     /// Takes the next bit of the frame, `true` for recessive.
@@ -93,10 +81,7 @@ mod tests {
 
     #[test]
     fn the_iso_start_value_makes_leading_zeros_count() {
-        for (iso, old) in [
-            (Crc::crc17(true), Crc::crc17(false)),
-            (Crc::crc21(true), Crc::crc21(false)),
-        ] {
+        for (iso, old) in [(Crc::crc17(true), Crc::crc17(false)), (Crc::crc21(true), Crc::crc21(false))] {
             let (mut iso, mut old) = (iso, old);
             for _ in 0..40 {
                 iso.push(false);

@@ -25,10 +25,7 @@ pub fn encode(frame: &Frame, iso: bool) -> Vec<EncodedBit> {
     encoder.arbitration_and_control(frame);
     for (index, byte) in frame.data_bytes().iter().enumerate() {
         for bit in 0..8 {
-            encoder.push(
-                Position::new(Field::Data, index as u16 * 8 + bit),
-                byte >> (7 - bit) & 1 == 1,
-            );
+            encoder.push(Position::new(Field::Data, index as u16 * 8 + bit), byte >> (7 - bit) & 1 == 1);
         }
     }
     if frame.is_fd() {
@@ -81,20 +78,13 @@ impl Encoder {
         self.crc17.push(bit);
         self.crc21.push(bit);
         self.bits.push(EncodedBit { position, bit });
-        self.run = if bit == self.last && self.run > 0 {
-            self.run + 1
-        } else {
-            1
-        };
+        self.run = if bit == self.last && self.run > 0 { self.run + 1 } else { 1 };
         self.last = bit;
     }
 
     fn number(&mut self, field: Field, value: u32, width: u32) {
         for bit in 0..width {
-            self.push(
-                Position::new(field, bit as u16),
-                value >> (width - 1 - bit) & 1 == 1,
-            );
+            self.push(Position::new(field, bit as u16), value >> (width - 1 - bit) & 1 == 1);
         }
     }
 
@@ -152,10 +142,7 @@ impl Encoder {
             if bit.is_multiple_of(4) {
                 self.fixed(Field::Crc, bit as u16);
             }
-            self.plain(
-                Position::new(Field::Crc, bit as u16),
-                crc.value() >> (width - 1 - bit) & 1 == 1,
-            );
+            self.plain(Position::new(Field::Crc, bit as u16), crc.value() >> (width - 1 - bit) & 1 == 1);
         }
     }
 
@@ -204,10 +191,7 @@ const fn stuff_bit(state: u8, bit: bool) -> Stuffed {
         run = 1;
         level = bit;
     }
-    Stuffed {
-        bits,
-        state: run << 1 | level as u8,
-    }
+    Stuffed { bits, state: run << 1 | level as u8 }
 }
 
 static STUFFING: [[Stuffed; 256]; STATES] = {
@@ -216,17 +200,11 @@ static STUFFING: [[Stuffed; 256]; STATES] = {
     while state < STATES {
         let mut byte = 0;
         while byte < 256 {
-            let mut entry = Stuffed {
-                bits: 0,
-                state: state as u8,
-            };
+            let mut entry = Stuffed { bits: 0, state: state as u8 };
             let mut bit = 0;
             while bit < 8 {
                 let next = stuff_bit(entry.state, byte >> (7 - bit) & 1 == 1);
-                entry = Stuffed {
-                    bits: entry.bits + next.bits,
-                    state: next.state,
-                };
+                entry = Stuffed { bits: entry.bits + next.bits, state: next.state };
                 bit += 1;
             }
             table[state][byte] = entry;
@@ -296,10 +274,7 @@ pub(crate) fn layout(frame: &Frame, iso: bool) -> Layout {
     // SOF to FDF, then the control field, as numbers.
     let (arbitration, width) = if frame.is_extended() {
         let (base, extension) = (raw >> 18, raw & 0x3_FFFF);
-        (
-            (base << 20 | 0b11 << 18 | extension) << 2 | remote << 1 | u64::from(fd),
-            34,
-        )
+        ((base << 20 | 0b11 << 18 | extension) << 2 | remote << 1 | u64::from(fd), 34)
     } else {
         (raw << 3 | remote << 2 | u64::from(fd), 15)
     };
@@ -337,11 +312,7 @@ pub(crate) fn layout(frame: &Frame, iso: bool) -> Layout {
     }
     counter.number(u64::from(crc), 15);
     let after = u64::from(counter.state >> 1 == 5);
-    Layout {
-        res: None,
-        brs: None,
-        crc_delimiter: counter.bits + after,
-    }
+    Layout { res: None, brs: None, crc_delimiter: counter.bits + after }
 }
 
 #[cfg(test)]
@@ -353,17 +324,11 @@ mod tests {
     fn the_layout_agrees_with_the_bits() {
         let mut state = 1u64;
         let mut next = move || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             state >> 32
         };
         for round in 0..20_000 {
-            let raw = if next() % 4 == 0 {
-                0
-            } else {
-                next() as u32 & 0x1FFF_FFFF
-            };
+            let raw = if next() % 4 == 0 { 0 } else { next() as u32 & 0x1FFF_FFFF };
             let id = if next() % 2 == 0 {
                 Id::Standard(StandardId::new((raw & 0x7FF) as u16).expect("11 bits"))
             } else {
@@ -372,10 +337,7 @@ mod tests {
             let format = match next() % 4 {
                 0 => Format::Remote,
                 1 => Format::Data,
-                _ => Format::Fd(FdFlags {
-                    brs: next() % 2 == 0,
-                    esi: next() % 2 == 0,
-                }),
+                _ => Format::Fd(FdFlags { brs: next() % 2 == 0, esi: next() % 2 == 0 }),
             };
             let constant = next() as u8;
             let bytes: [u8; 64] = core::array::from_fn(|_| match round % 3 {
@@ -386,11 +348,7 @@ mod tests {
             let frame = Frame::from_fields(id, format, Dlc::from_low_bits(next() as u8), &bytes);
             let iso = next() % 2 == 0;
             let bits = encode(&frame, iso);
-            let place = |field| {
-                bits.iter()
-                    .position(|bit| bit.position == Position::new(field, 0))
-                    .map(|at| at as u64)
-            };
+            let place = |field| bits.iter().position(|bit| bit.position == Position::new(field, 0)).map(|at| at as u64);
             let expected = Layout {
                 res: frame.is_fd().then(|| place(Field::Res)).flatten(),
                 brs: frame.bit_rate_switch().then(|| place(Field::Brs)).flatten(),

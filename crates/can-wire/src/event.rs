@@ -233,12 +233,8 @@ impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}: ", self.time, self.node)?;
         match self.kind {
-            EventKind::StartOfFrame {
-                role: Role::Transmitter,
-            } => f.write_str("starts a frame"),
-            EventKind::StartOfFrame {
-                role: Role::Receiver,
-            } => f.write_str("sees a start of frame"),
+            EventKind::StartOfFrame { role: Role::Transmitter } => f.write_str("starts a frame"),
+            EventKind::StartOfFrame { role: Role::Receiver } => f.write_str("sees a start of frame"),
             EventKind::Received { frame, .. } => write!(f, "received {frame}"),
             EventKind::Transmitted { frame, .. } => write!(f, "transmitted {frame}"),
             EventKind::ArbitrationLost { position } => write!(f, "lost arbitration at {position}"),
@@ -253,14 +249,8 @@ impl fmt::Display for Event {
             EventKind::BusIdle => f.write_str("bus idle"),
             EventKind::Overload(cause) => write!(f, "overload flag: {cause:?}"),
             EventKind::ProtocolException => f.write_str("protocol exception"),
-            EventKind::TransmitterDelay {
-                delay,
-                secondary_sample_point,
-            } => {
-                write!(
-                    f,
-                    "transmitter delay {delay}, secondary sample point {secondary_sample_point} clock periods"
-                )
+            EventKind::TransmitterDelay { delay, secondary_sample_point } => {
+                write!(f, "transmitter delay {delay}, secondary sample point {secondary_sample_point} clock periods")
             }
             EventKind::ModeChanged { mode } => write!(f, "mode {mode:?}"),
             EventKind::Aborted { frame } => write!(f, "aborted {frame}"),

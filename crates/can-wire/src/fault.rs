@@ -22,41 +22,25 @@ impl Frames {
     /// The next frame on the bus.
     #[must_use]
     pub const fn next() -> Frames {
-        Frames {
-            sender: None,
-            skip: 0,
-            count: 1,
-        }
+        Frames { sender: None, skip: 0, count: 1 }
     }
 
     /// The next frame that `node` starts to send.
     #[must_use]
     pub const fn next_of(node: NodeId) -> Frames {
-        Frames {
-            sender: Some(node),
-            skip: 0,
-            count: 1,
-        }
+        Frames { sender: Some(node), skip: 0, count: 1 }
     }
 
     /// Every frame from now on.
     #[must_use]
     pub const fn all() -> Frames {
-        Frames {
-            sender: None,
-            skip: 0,
-            count: u32::MAX,
-        }
+        Frames { sender: None, skip: 0, count: u32::MAX }
     }
 
     /// Every frame that `node` sends from now on.
     #[must_use]
     pub const fn all_of(node: NodeId) -> Frames {
-        Frames {
-            sender: Some(node),
-            skip: 0,
-            count: u32::MAX,
-        }
+        Frames { sender: Some(node), skip: 0, count: u32::MAX }
     }
 
     /// The same, letting `skip` frames pass first.
@@ -169,32 +153,13 @@ pub(crate) struct BitFaultAt {
 
 impl BitFaultAt {
     /// `started` frames have begun so far.
-    pub(crate) fn new(
-        node: NodeId,
-        fault: BitFault,
-        position: Position,
-        frames: Frames,
-        started: u64,
-    ) -> BitFaultAt {
+    pub(crate) fn new(node: NodeId, fault: BitFault, position: Position, frames: Frames, started: u64) -> BitFaultAt {
         let first = started + 1 + u64::from(frames.skip);
-        BitFaultAt {
-            node,
-            fault,
-            position,
-            sender: frames.sender,
-            first,
-            end: first + u64::from(frames.count),
-        }
+        BitFaultAt { node, fault, position, sender: frames.sender, first, end: first + u64::from(frames.count) }
     }
 
     pub(crate) fn drop_ack(node: NodeId, frames: Frames, started: u64) -> BitFaultAt {
-        BitFaultAt::new(
-            node,
-            BitFault::SilenceDriven,
-            Position::new(Field::AckSlot, 0),
-            frames,
-            started,
-        )
+        BitFaultAt::new(node, BitFault::SilenceDriven, Position::new(Field::AckSlot, 0), frames, started)
     }
 }
 
@@ -307,10 +272,7 @@ impl NodeFaults {
 
     /// Ends everything but noise.
     pub(crate) fn clear(&mut self) {
-        *self = NodeFaults {
-            noise: self.noise.take(),
-            ..NodeFaults::default()
-        };
+        *self = NodeFaults { noise: self.noise.take(), ..NodeFaults::default() };
     }
 }
 
@@ -329,11 +291,7 @@ impl Noise {
     pub(crate) fn new(probability: f64, seed: u64, node: NodeId) -> Noise {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(node.index() as u64);
-        let mut noise = Noise {
-            rng,
-            log_survival: (1.0 - probability).ln(),
-            left: 0,
-        };
+        let mut noise = Noise { rng, log_survival: (1.0 - probability).ln(), left: 0 };
         noise.left = noise.draw();
         noise
     }
@@ -343,11 +301,7 @@ impl Noise {
         // 53 bits, never zero.
         let uniform = ((self.rng.next_u64() >> 11) + 1) as f64 / (1u64 << 53) as f64;
         let bits = uniform.ln() / self.log_survival;
-        if bits.is_finite() {
-            bits as u64
-        } else {
-            u64::MAX
-        }
+        if bits.is_finite() { bits as u64 } else { u64::MAX }
     }
 
     #[inline]
@@ -381,10 +335,7 @@ mod tests {
             let bits = 2_000_000;
             let hits = (0..bits).filter(|_| noise.hits()).count() as f64;
             let expected = rate * f64::from(bits);
-            assert!(
-                (hits - expected).abs() < 6.0 * expected.sqrt(),
-                "{hits} errors, expected {expected}"
-            );
+            assert!((hits - expected).abs() < 6.0 * expected.sqrt(), "{hits} errors, expected {expected}");
         }
     }
 

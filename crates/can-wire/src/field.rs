@@ -134,21 +134,13 @@ impl Position {
     /// A bit of a field that is no stuff bit.
     #[must_use]
     pub const fn new(field: Field, bit: u16) -> Position {
-        Position {
-            field,
-            bit,
-            stuff: false,
-        }
+        Position { field, bit, stuff: false }
     }
 
     /// The stuff bit before a bit of a field.
     #[must_use]
     pub const fn stuff_before(field: Field, bit: u16) -> Position {
-        Position {
-            field,
-            bit,
-            stuff: true,
-        }
+        Position { field, bit, stuff: true }
     }
 }
 

@@ -16,11 +16,7 @@ impl Level {
     /// Recessive for `true`, the logical 1.
     #[must_use]
     pub const fn from_bit(bit: bool) -> Level {
-        if bit {
-            Level::Recessive
-        } else {
-            Level::Dominant
-        }
+        if bit { Level::Recessive } else { Level::Dominant }
     }
 
     /// The logical value: 1 for recessive.

@@ -34,9 +34,7 @@ mod wire;
 
 pub use config::{FdSupport, Mode, NodeConfig, NodeId, ProtocolException};
 pub use encode::{EncodedBit, encode};
-pub use event::{
-    BitRecord, BusError, ErrorKind, ErrorState, Event, EventKind, OverloadCause, PartialFrame, Role,
-};
+pub use event::{BitRecord, BusError, ErrorKind, ErrorState, Event, EventKind, OverloadCause, PartialFrame, Role};
 pub use fault::{BitFault, Disturbance, Fault, Frames, Line};
 pub use field::{Field, Position};
 pub use level::Level;

@@ -104,11 +104,7 @@ impl Node {
     /// outputs have changed before anyone samples.
     #[inline]
     pub(crate) fn next_key(&self) -> u64 {
-        let mut key = if self.is_active() {
-            self.clock.next_sample_at << 1 | 1
-        } else {
-            NEVER
-        };
+        let mut key = if self.is_active() { self.clock.next_sample_at << 1 | 1 } else { NEVER };
         if self.drive_at.is_none() && self.late.is_empty() && self.arrivals.is_empty() {
             return key;
         }
@@ -133,10 +129,7 @@ impl Node {
     }
 
     fn watches_edges(&self) -> bool {
-        self.clock.may_sync
-            || self.measuring.is_some()
-            || self.wake_armed
-            || self.filtered_edge.is_some()
+        self.clock.may_sync || self.measuring.is_some() || self.wake_armed || self.filtered_edge.is_some()
     }
 
     /// The level the node sees: its input, with what the mode loops back.
@@ -157,11 +150,7 @@ impl Node {
     #[inline]
     pub(crate) fn bus_changed(&mut self, at: u64, level: bool, now: u64) -> bool {
         if at == now && self.arrivals.is_empty() {
-            let matters = if level {
-                self.filtered_edge.is_some()
-            } else {
-                self.watches_edges()
-            };
+            let matters = if level { self.filtered_edge.is_some() } else { self.watches_edges() };
             self.input(Time::from_ps(at), level);
             return matters;
         }
@@ -177,12 +166,7 @@ impl Node {
     /// Takes in every arrival up to `now`.
     #[inline]
     pub(crate) fn take_arrivals(&mut self, now: u64) {
-        while let Some(arrival) = self
-            .arrivals
-            .front()
-            .copied()
-            .filter(|arrival| arrival.at <= now)
-        {
+        while let Some(arrival) = self.arrivals.front().copied().filter(|arrival| arrival.at <= now) {
             self.arrivals.pop_front();
             self.input(Time::from_ps(arrival.at), arrival.level);
         }
@@ -195,11 +179,7 @@ impl Node {
 
     /// Sets the input from the bus, the node's own output in loop back, and the faults that act on it.
     pub(crate) fn apply_input(&mut self, at: Time) {
-        let level = if self.hears_itself() {
-            self.driven
-        } else {
-            self.faults.received(self.raw_rx || self.cut)
-        };
+        let level = if self.hears_itself() { self.driven } else { self.faults.received(self.raw_rx || self.cut) };
         if level == self.rx {
             return;
         }
@@ -243,8 +223,7 @@ impl Node {
             self.protocol.edge_while_integrating();
         }
         let output_pending = self.drive_at.is_some();
-        if let Effect::Moved { output_from } =
-            self.clock.edge(at, sync, !self.driven && before_sample)
+        if let Effect::Moved { output_from } = self.clock.edge(at, sync, !self.driven && before_sample)
             && output_pending
             && !before_sample
         {
@@ -308,21 +287,14 @@ impl Node {
             && self.protocol.incoming.fd
             && matches!(
                 self.config.delay_compensation,
-                Some(crate::DelayCompensation {
-                    delay: DelaySource::Measured { .. },
-                    ..
-                })
+                Some(crate::DelayCompensation { delay: DelaySource::Measured { .. }, .. })
             )
     }
 
     /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit
     /// was sampled, and its record if that is asked for.
     #[inline]
-    pub(crate) fn sample<const RECORD: bool>(
-        &mut self,
-        now: u64,
-        cx: &mut Context<'_>,
-    ) -> (bool, Option<BitRecord>) {
+    pub(crate) fn sample<const RECORD: bool>(&mut self, now: u64, cx: &mut Context<'_>) -> (bool, Option<BitRecord>) {
         if !self.late.is_empty() {
             self.compare_late(now);
         }
@@ -339,17 +311,12 @@ impl Node {
         let (start, sample, role) = (self.clock.start, self.clock.next_sample, self.protocol.role);
         let driven = self.protocol.drive;
         let pin_level = self.seen();
-        let compensated =
-            self.config.delay_compensation.is_some() && self.protocol.relies_on_own_bits();
+        let compensated = self.config.delay_compensation.is_some() && self.protocol.relies_on_own_bits();
         let noisy = self.protocol.field != Field::Idle;
         let hit = self.faults.hits_sample(noisy);
         let level = if compensated { driven } else { pin_level ^ hit };
         let faulty = hit || self.faults.drives_wrong();
-        let late = if self.late_error.is_some() {
-            self.late_error.take()
-        } else {
-            None
-        };
+        let late = if self.late_error.is_some() { self.late_error.take() } else { None };
         self.awake = false;
         self.protocol.sample(level, late, cx);
         self.clock.sampled(level, self.protocol.data_phase);
@@ -361,14 +328,8 @@ impl Node {
             return (true, None);
         }
         // A receiver knows only now that this bit was a start of frame.
-        let started = self.protocol.field == Field::BaseId
-            && self.protocol.bit == 0
-            && !self.protocol.stuff_next;
-        let position = if started {
-            Position::new(Field::Sof, 0)
-        } else {
-            position
-        };
+        let started = self.protocol.field == Field::BaseId && self.protocol.bit == 0 && !self.protocol.stuff_next;
+        let position = if started { Position::new(Field::Sof, 0) } else { position };
         let record = BitRecord {
             node: cx.node,
             start: Time::from_ps(start.ceil()),
@@ -384,12 +345,7 @@ impl Node {
 
     /// The secondary sample points that are due.
     fn compare_late(&mut self, now: u64) {
-        while let Some(late) = self
-            .late
-            .front()
-            .copied()
-            .filter(|late| late.at.ceil() <= now)
-        {
+        while let Some(late) = self.late.front().copied().filter(|late| late.at.ceil() <= now) {
             self.late.pop_front();
             if self.rx != late.level && self.late_error.is_none() {
                 self.late_error = Some((late.position, Level::from_bit(late.level)));

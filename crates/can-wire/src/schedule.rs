@@ -28,22 +28,14 @@ impl Schedule {
     }
 
     fn entry(&self, at: usize) -> u16 {
-        if at >= self.leaves {
-            (at - self.leaves) as u16
-        } else {
-            self.winners[at]
-        }
+        if at >= self.leaves { (at - self.leaves) as u16 } else { self.winners[at] }
     }
 
     fn replay(&mut self, node: usize) {
         let mut at = (node + self.leaves) >> 1;
         while at >= 1 {
             let (left, right) = (self.entry(2 * at), self.entry(2 * at + 1));
-            self.winners[at] = if self.key(right) < self.key(left) {
-                right
-            } else {
-                left
-            };
+            self.winners[at] = if self.key(right) < self.key(left) { right } else { left };
             at >>= 1;
         }
     }
@@ -95,24 +87,12 @@ mod tests {
             let mut keys = vec![NEVER; nodes];
             let mut state = 12345u64;
             for _ in 0..500 {
-                state = state
-                    .wrapping_mul(6_364_136_223_846_793_005)
-                    .wrapping_add(1_442_695_040_888_963_407);
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
                 let node = (state >> 33) as usize % nodes;
-                let key = if state >> 60 == 0 {
-                    NEVER
-                } else {
-                    state >> 40 & 0xF
-                };
+                let key = if state >> 60 == 0 { NEVER } else { state >> 40 & 0xF };
                 keys[node] = key;
                 schedule.set(node, key);
-                let expected = keys
-                    .iter()
-                    .copied()
-                    .enumerate()
-                    .map(|(n, k)| (k, n))
-                    .min()
-                    .filter(|(k, _)| *k != NEVER);
+                let expected = keys.iter().copied().enumerate().map(|(n, k)| (k, n)).min().filter(|(k, _)| *k != NEVER);
                 assert_eq!(schedule.first(), expected);
             }
         }

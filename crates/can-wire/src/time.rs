@@ -191,11 +191,7 @@ mod tests {
     fn a_clock_that_is_off_keeps_its_average_frequency() {
         let tick = Tick::of_clock(40_000_000, 5_000);
         let after = Fine::default().plus(40_200_000_000, tick);
-        assert!(
-            after.ceil().abs_diff(1_000_000_000_000_000) <= 10,
-            "{} ps",
-            after.ceil()
-        );
+        assert!(after.ceil().abs_diff(1_000_000_000_000_000) <= 10, "{} ps", after.ceil());
         assert_eq!(Tick::of_clock(40_000_000, 0).0, 25_000 * Tick::PICOSECOND);
     }
 

@@ -60,12 +60,9 @@ impl fmt::Display for TimingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             TimingError::Clock { hz, ppm } => write!(f, "no usable clock: {hz} Hz {ppm:+} ppm"),
-            TimingError::Segment {
-                name,
-                value,
-                min,
-                max,
-            } => write!(f, "{name} is {value}, but must be {min} to {max}"),
+            TimingError::Segment { name, value, min, max } => {
+                write!(f, "{name} is {value}, but must be {min} to {max}")
+            }
             TimingError::TooSlow { bit } => write!(f, "one bit takes {bit}, longer than 2000 us"),
             TimingError::NoTiming { hz, rate } => {
                 write!(f, "{rate} bit/s cannot be made exactly from {hz} Hz")
@@ -130,13 +127,7 @@ impl BitTiming {
             let phase_seg2 = (quanta - sample) as u16;
             let phase_seg1 = before.div_ceil(2).max(phase_seg2.min(before));
             let sjw = phase_seg1.min(phase_seg2).min(128);
-            return Ok(BitTiming {
-                prescaler,
-                prop_seg: before - phase_seg1,
-                phase_seg1,
-                phase_seg2,
-                sjw,
-            });
+            return Ok(BitTiming { prescaler, prop_seg: before - phase_seg1, phase_seg1, phase_seg2, sjw });
         }
         Err(none)
     }
@@ -148,25 +139,11 @@ impl BitTiming {
     /// [`TimingError::Segment`] with the value that is out of range.
     pub fn check(&self) -> Result<(), TimingError> {
         let range = |name, value, min, max| {
-            if (min..=max).contains(&value) {
-                Ok(())
-            } else {
-                Err(TimingError::Segment {
-                    name,
-                    value,
-                    min,
-                    max,
-                })
-            }
+            if (min..=max).contains(&value) { Ok(()) } else { Err(TimingError::Segment { name, value, min, max }) }
         };
         range("prescaler", self.prescaler, 1, MAX_PRESCALER)?;
         range("prop_seg", self.prop_seg, 0, MAX_SEGMENT)?;
-        range(
-            "phase_seg1",
-            self.phase_seg1,
-            u16::from(self.prop_seg == 0),
-            MAX_SEGMENT,
-        )?;
+        range("phase_seg1", self.phase_seg1, u16::from(self.prop_seg == 0), MAX_SEGMENT)?;
         range("phase_seg2", self.phase_seg2, 1, MAX_SEGMENT)?;
         range("sjw", self.sjw, 1, MAX_SEGMENT)
     }
@@ -182,10 +159,7 @@ impl BitTiming {
         let bit = self.quanta();
         let phase = u64::from(self.phase_seg1.min(self.phase_seg2));
         let resync = ppm(i128::from(self.sjw), u128::from(20 * bit));
-        let error_flag = ppm(
-            i128::from(phase),
-            u128::from(2 * (13 * bit - u64::from(self.phase_seg2))),
-        );
+        let error_flag = ppm(i128::from(phase), u128::from(2 * (13 * bit - u64::from(self.phase_seg2))));
         resync.min(error_flag)
     }
 
@@ -193,25 +167,15 @@ impl BitTiming {
     /// [`BitTiming::tolerance_ppm`] and the three for the data phase.
     #[must_use]
     pub fn tolerance_with_data_ppm(&self, data: &BitTiming) -> u32 {
-        let (nominal_bit, data_bit) = (
-            i128::from(self.quanta() as u32),
-            i128::from(data.quanta() as u32),
-        );
+        let (nominal_bit, data_bit) = (i128::from(self.quanta() as u32), i128::from(data.quanta() as u32));
         let (nbrp, dbrp) = (i128::from(self.prescaler), i128::from(data.prescaler));
         let (n_seg2, d_seg2) = (i128::from(self.phase_seg2), i128::from(data.phase_seg2));
         let phase = i128::from(self.phase_seg1.min(self.phase_seg2));
         let resync = ppm(i128::from(data.sjw), (20 * data_bit).unsigned_abs());
         // Both sides of the remaining two are multiplied by the prescaler in their denominators.
-        let switch = ppm(
-            phase * nbrp,
-            (2 * ((6 * data_bit - d_seg2) * dbrp + 7 * nominal_bit * nbrp)).unsigned_abs(),
-        );
+        let switch = ppm(phase * nbrp, (2 * ((6 * data_bit - d_seg2) * dbrp + 7 * nominal_bit * nbrp)).unsigned_abs());
         let jump = i128::from(data.sjw) * dbrp - (nbrp - dbrp).max(0);
-        let back = ppm(
-            jump,
-            (2 * ((2 * nominal_bit - n_seg2) * nbrp + (d_seg2 + 4 * data_bit) * dbrp))
-                .unsigned_abs(),
-        );
+        let back = ppm(jump, (2 * ((2 * nominal_bit - n_seg2) * nbrp + (d_seg2 + 4 * data_bit) * dbrp)).unsigned_abs());
         self.tolerance_ppm().min(resync).min(switch).min(back)
     }
 }
@@ -250,11 +214,7 @@ impl DelayCompensation {
     /// Measured delay plus `offset` clock periods, a limit of 127, no filter window.
     #[must_use]
     pub const fn measured(offset: i16) -> DelayCompensation {
-        DelayCompensation {
-            delay: DelaySource::Measured { filter: 0 },
-            offset,
-            limit: 127,
-        }
+        DelayCompensation { delay: DelaySource::Measured { filter: 0 }, offset, limit: 127 }
     }
 
     /// The secondary sample point for a delay, both in clock periods.
@@ -271,31 +231,10 @@ mod tests {
     /// tables print 0.78 % as the result of all five conditions.
     #[test]
     fn the_worked_example_of_a_manual() {
-        let nominal = BitTiming {
-            prescaler: 1,
-            prop_seg: 95,
-            phase_seg1: 32,
-            phase_seg2: 32,
-            sjw: 32,
-        };
-        let data = BitTiming {
-            prescaler: 1,
-            prop_seg: 23,
-            phase_seg1: 8,
-            phase_seg2: 8,
-            sjw: 8,
-        };
-        assert_eq!(
-            (nominal.bit_rate(80_000_000), data.bit_rate(80_000_000)),
-            (500_000, 2_000_000)
-        );
-        assert_eq!(
-            (
-                nominal.sample_point_permille(),
-                data.sample_point_permille()
-            ),
-            (800, 800)
-        );
+        let nominal = BitTiming { prescaler: 1, prop_seg: 95, phase_seg1: 32, phase_seg2: 32, sjw: 32 };
+        let data = BitTiming { prescaler: 1, prop_seg: 23, phase_seg1: 8, phase_seg2: 8, sjw: 8 };
+        assert_eq!((nominal.bit_rate(80_000_000), data.bit_rate(80_000_000)), (500_000, 2_000_000));
+        assert_eq!((nominal.sample_point_permille(), data.sample_point_permille()), (800, 800));
         assert_eq!(nominal.tolerance_ppm(), 7_812);
         assert_eq!(nominal.tolerance_with_data_ppm(&data), 7_812);
     }
@@ -303,62 +242,22 @@ mod tests {
     #[test]
     fn timings_for_a_rate() {
         let timing = BitTiming::for_rate(40_000_000, 1_000_000, 800).expect("divides");
-        assert_eq!(
-            (timing.prescaler, timing.quanta(), timing.sample_quanta()),
-            (1, 40, 32)
-        );
+        assert_eq!((timing.prescaler, timing.quanta(), timing.sample_quanta()), (1, 40, 32));
         assert_eq!(timing.check(), Ok(()));
         let slow = BitTiming::for_rate(80_000_000, 10_000, 875).expect("divides");
-        assert_eq!(
-            (
-                slow.bit_rate(80_000_000),
-                slow.prescaler,
-                slow.sample_point_permille()
-            ),
-            (10_000, 20, 875)
-        );
+        assert_eq!((slow.bit_rate(80_000_000), slow.prescaler, slow.sample_point_permille()), (10_000, 20, 875));
         let error = BitTiming::for_rate(8_000_000, 3_000_000, 800).expect_err("2.67 quanta");
-        assert_eq!(
-            error,
-            TimingError::NoTiming {
-                hz: 8_000_000,
-                rate: 3_000_000
-            }
-        );
+        assert_eq!(error, TimingError::NoTiming { hz: 8_000_000, rate: 3_000_000 });
     }
 
     #[test]
     fn segments_of_zero_are_refused() {
-        let good = BitTiming {
-            prescaler: 1,
-            prop_seg: 0,
-            phase_seg1: 1,
-            phase_seg2: 1,
-            sjw: 1,
-        };
+        let good = BitTiming { prescaler: 1, prop_seg: 0, phase_seg1: 1, phase_seg2: 1, sjw: 1 };
         assert_eq!(good.check(), Ok(()));
         for (bad, name) in [
-            (
-                BitTiming {
-                    prescaler: 0,
-                    ..good
-                },
-                "prescaler",
-            ),
-            (
-                BitTiming {
-                    phase_seg1: 0,
-                    ..good
-                },
-                "phase_seg1",
-            ),
-            (
-                BitTiming {
-                    phase_seg2: 0,
-                    ..good
-                },
-                "phase_seg2",
-            ),
+            (BitTiming { prescaler: 0, ..good }, "prescaler"),
+            (BitTiming { phase_seg1: 0, ..good }, "phase_seg1"),
+            (BitTiming { phase_seg2: 0, ..good }, "phase_seg2"),
             (BitTiming { sjw: 0, ..good }, "sjw"),
         ] {
             assert!(matches!(bad.check(), Err(TimingError::Segment { name: n, .. }) if n == name));

@@ -59,9 +59,7 @@ pub trait TraceSink {
 /// A sink that is shared with the code that reads it.
 impl<T: TraceSink> TraceSink for Arc<Mutex<T>> {
     fn level(&mut self, time: Time, signal: Signal, level: Level) {
-        self.lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .level(time, signal, level);
+        self.lock().unwrap_or_else(PoisonError::into_inner).level(time, signal, level);
     }
 
     fn bit(&mut self, bit: &BitRecord) {
@@ -69,21 +67,15 @@ impl<T: TraceSink> TraceSink for Arc<Mutex<T>> {
     }
 
     fn event(&mut self, event: &Event) {
-        self.lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .event(event);
+        self.lock().unwrap_or_else(PoisonError::into_inner).event(event);
     }
 
     fn wants_bits(&self) -> bool {
-        self.lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .wants_bits()
+        self.lock().unwrap_or_else(PoisonError::into_inner).wants_bits()
     }
 
     fn wants_levels(&self) -> bool {
-        self.lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .wants_levels()
+        self.lock().unwrap_or_else(PoisonError::into_inner).wants_levels()
     }
 }
 
@@ -130,10 +122,7 @@ pub(crate) struct Tracer {
 }
 
 impl Tracer {
-    pub(crate) fn set(
-        &mut self,
-        sink: Option<Box<dyn TraceSink + Send>>,
-    ) -> Option<Box<dyn TraceSink + Send>> {
+    pub(crate) fn set(&mut self, sink: Option<Box<dyn TraceSink + Send>>) -> Option<Box<dyn TraceSink + Send>> {
         self.flush();
         self.levels = sink.as_ref().is_some_and(|sink| sink.wants_levels());
         self.bits = sink.as_ref().is_some_and(|sink| sink.wants_bits());
@@ -163,11 +152,7 @@ impl Tracer {
         while index < self.changes.len() {
             let (signal, level) = self.changes[index];
             index += 1;
-            if self
-                .changes
-                .get(index)
-                .is_some_and(|(next, _)| *next == signal)
-            {
+            if self.changes.get(index).is_some_and(|(next, _)| *next == signal) {
                 continue;
             }
             let place = signal.index();

@@ -12,12 +12,7 @@ use proptest::prelude::*;
 
 /// The bits that decide arbitration, as the bus sees them: dominant (`false`) sorts first.
 fn priority(frame: &Frame) -> Vec<bool> {
-    encode(frame, true)
-        .iter()
-        .filter(|bit| !bit.position.stuff)
-        .map(|bit| bit.bit)
-        .take(33)
-        .collect()
+    encode(frame, true).iter().filter(|bit| !bit.position.stuff).map(|bit| bit.bit).take(33).collect()
 }
 
 /// Frames with different arbitration fields, many with equal beginnings.
@@ -31,16 +26,11 @@ fn rivals(random: &mut Random, count: usize) -> Vec<Frame> {
             0 => Id::Standard(StandardId::new(base).unwrap()),
             1 => Id::Standard(StandardId::new(near).unwrap()),
             _ => {
-                let raw = u32::from(if random.coin() { base } else { near }) << 18
-                    | random.below(8) as u32;
+                let raw = u32::from(if random.coin() { base } else { near }) << 18 | random.below(8) as u32;
                 Id::Extended(can_frame::ExtendedId::new(raw).unwrap())
             }
         };
-        let format = if random.below(3) == 0 {
-            Format::Remote
-        } else {
-            Format::Data
-        };
+        let format = if random.below(3) == 0 { Format::Remote } else { Format::Data };
         // The data is different for each, so that a mixed-up frame would show.
         let data = (rivals.len() as u64).to_le_bytes();
         let frame = Frame::from_fields(id, format, Dlc::new(8).unwrap(), &data);
@@ -52,11 +42,7 @@ fn rivals(random: &mut Random, count: usize) -> Vec<Frame> {
 }
 
 /// All nodes request a frame while the bus is busy, so that they start together; losers try again until all are sent.
-fn order_on_the_bus(
-    configs: NodeConfig,
-    rivals: &[Frame],
-    fast: bool,
-) -> (Vec<Frame>, usize, Vec<Vec<Frame>>) {
+fn order_on_the_bus(configs: NodeConfig, rivals: &[Frame], fast: bool) -> (Vec<Frame>, usize, Vec<Vec<Frame>>) {
     let (mut wire, nodes) = bench_of(rivals.len() + 1, configs);
     wire.set_fast_path(fast);
     let observer = nodes[rivals.len()];
@@ -202,16 +188,8 @@ fn the_bit_that_was_lost_is_reported() {
         ("123#", "124#", Position::new(Field::BaseId, 8)),
         ("123#", "048C0000#", Position::new(Field::Rtr, 0)),
         ("123#R", "048C0000#", Position::new(Field::Ide, 0)),
-        (
-            "048C0000#",
-            "048C0001#",
-            Position::new(Field::ExtendedId, 17),
-        ),
-        (
-            "048C0001#",
-            "048C0001#R",
-            Position::new(Field::ExtendedRtr, 0),
-        ),
+        ("048C0000#", "048C0001#", Position::new(Field::ExtendedId, 17)),
+        ("048C0001#", "048C0001#R", Position::new(Field::ExtendedRtr, 0)),
     ];
     for (winner, loser, expected) in cases {
         let (mut wire, nodes) = bench_of(2, NodeConfig::new());
@@ -239,8 +217,5 @@ fn equal_identifiers_collide_in_the_data() {
         _ => None,
     });
     use can_wire::{ErrorKind, Field, Position};
-    assert_eq!(
-        error,
-        Some((nodes[1], ErrorKind::Bit1, Position::new(Field::Data, 7)))
-    );
+    assert_eq!(error, Some((nodes[1], ErrorKind::Bit1, Position::new(Field::Data, 7))));
 }

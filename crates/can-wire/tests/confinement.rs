@@ -4,8 +4,8 @@
 mod common;
 
 use can_wire::{
-    BitFault, Disturbance, ErrorKind, ErrorState, EventKind, Fault, Field, Frames, Line,
-    NodeConfig, NodeId, Position, Time, Wire,
+    BitFault, Disturbance, ErrorKind, ErrorState, EventKind, Fault, Field, Frames, Line, NodeConfig, NodeId, Position,
+    Time, Wire,
 };
 use common::{bench_of, confine::*, frame, received, run, transmitted};
 
@@ -18,20 +18,11 @@ fn a_receiver_counts_one_per_error() {
     flip_seen(&mut wire, b, Field::Crc, CLEAN_CRC_BIT);
     wire.send(a, frame(CLEAN)).unwrap();
     let events = run(&mut wire, Time::from_us(200));
-    assert_eq!(
-        errors(&events, b),
-        [(ErrorKind::Crc, Position::new(Field::AckDelimiter, 0))]
-    );
+    assert_eq!(errors(&events, b), [(ErrorKind::Crc, Position::new(Field::AckDelimiter, 0))]);
     assert_eq!(counters(&events, b)[0], (0, 1), "by 1 for the error itself");
     // The others see the first bit of the error flag where EOF begins.
-    assert_eq!(
-        errors(&events, c),
-        [(ErrorKind::Form, Position::new(Field::Eof, 0))]
-    );
-    assert_eq!(
-        errors(&events, a),
-        [(ErrorKind::Bit1, Position::new(Field::Eof, 0))]
-    );
+    assert_eq!(errors(&events, c), [(ErrorKind::Form, Position::new(Field::Eof, 0))]);
+    assert_eq!(errors(&events, a), [(ErrorKind::Bit1, Position::new(Field::Eof, 0))]);
     assert!(received(&events, c).is_empty() && transmitted(&events, a).is_empty());
 }
 
@@ -63,10 +54,7 @@ fn c_a_transmitter_counts_eight_per_error() {
         });
         wire.send(a, frame(text)).unwrap();
         let events = run(&mut wire, Time::from_us(200));
-        assert_eq!(
-            errors(&events, a),
-            [(ErrorKind::Bit0, Position::new(Field::Data, 2))]
-        );
+        assert_eq!(errors(&events, a), [(ErrorKind::Bit0, Position::new(Field::Data, 2))]);
         assert_eq!(wire.error_counters(a), (8 * step, 0));
         // The receiver sees six dominant bits: a stuff error, and no dominant bit after its own flag.
         assert_eq!(errors(&events, b).len(), 1);
@@ -83,10 +71,7 @@ fn c1_a_passive_transmitter_alone_stays_at_128() {
     for _ in 0..40 {
         wire.send(a, frame("123#")).unwrap();
         let events = run(&mut wire, Time::from_us(200));
-        assert_eq!(
-            errors(&events, a),
-            [(ErrorKind::Ack, Position::new(Field::AckSlot, 0))]
-        );
+        assert_eq!(errors(&events, a), [(ErrorKind::Ack, Position::new(Field::AckSlot, 0))]);
         seen.push(wire.error_counters(a).0);
     }
     let expected: Vec<u16> = (1..=40).map(|attempt| (8 * attempt).min(128)).collect();
@@ -100,10 +85,7 @@ fn c1_does_not_apply_when_the_passive_flag_meets_a_dominant_bit() {
     let (mut wire, a, b) = two();
     preset(&mut wire, a, 128, 0);
     // b drops its acknowledgement, and a short makes the third bit of a's passive flag dominant.
-    wire.inject(Fault::DropAck {
-        node: b,
-        frames: Frames::next(),
-    });
+    wire.inject(Fault::DropAck { node: b, frames: Frames::next() });
     let start = {
         let build = || {
             let (mut wire, nodes) = bench_of(2, NodeConfig::new());
@@ -113,19 +95,10 @@ fn c1_does_not_apply_when_the_passive_flag_meets_a_dominant_bit() {
         sample_time(build, "123#", a, Position::new(Field::AckDelimiter, 0))
     };
     let from = start + BIT * 2;
-    hold(
-        &mut wire,
-        Line::Bus,
-        Disturbance::Dominant,
-        from.since(HALF),
-        from + HALF,
-    );
+    hold(&mut wire, Line::Bus, Disturbance::Dominant, from.since(HALF), from + HALF);
     wire.send(a, frame("123#")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
-    assert_eq!(
-        errors(&events, a)[0],
-        (ErrorKind::Ack, Position::new(Field::AckSlot, 0))
-    );
+    assert_eq!(errors(&events, a)[0], (ErrorKind::Ack, Position::new(Field::AckSlot, 0)));
     assert_eq!(counters(&events, a)[0], (136, 0));
 }
 
@@ -144,21 +117,13 @@ fn c2_a_stuff_error_in_arbitration_does_not_count() {
         a,
         position,
     );
-    hold(
-        &mut wire,
-        Line::Bus,
-        Disturbance::Dominant,
-        at.since(Time::from_ns(700)),
-        at + HALF,
-    );
+    hold(&mut wire, Line::Bus, Disturbance::Dominant, at.since(Time::from_ns(700)), at + HALF);
     wire.send(a, frame("000#")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
     assert_eq!(errors(&events, a), [(ErrorKind::Stuff, position)]);
     assert_eq!(counters(&events, a), [], "TEC and REC stay");
     assert_eq!(counters(&events, b), [(0, 1)]);
-    let failed = events
-        .iter()
-        .any(|event| event.node == a && matches!(event.kind, EventKind::TransmissionFailed(_)));
+    let failed = events.iter().any(|event| event.node == a && matches!(event.kind, EventKind::TransmissionFailed(_)));
     assert!(failed, "the transmission has failed all the same");
 }
 
@@ -173,14 +138,8 @@ fn d_bit_errors_in_a_transmitters_flag_count_eight_each() {
     wire.send(a, frame("123#0000")).unwrap();
     let events = run(&mut wire, Time::from_us(300));
     assert_eq!(counters(&events, a)[..3], [(8, 0), (16, 0), (24, 0)]);
-    let kinds: Vec<_> = errors(&events, a)
-        .into_iter()
-        .map(|(kind, _)| kind)
-        .collect();
-    assert_eq!(
-        kinds[..3],
-        [ErrorKind::Bit0, ErrorKind::Bit0, ErrorKind::Bit0]
-    );
+    let kinds: Vec<_> = errors(&events, a).into_iter().map(|(kind, _)| kind).collect();
+    assert_eq!(kinds[..3], [ErrorKind::Bit0, ErrorKind::Bit0, ErrorKind::Bit0]);
 }
 
 // Rule d, overload flag.
@@ -192,10 +151,7 @@ fn d_bit_errors_in_a_transmitters_overload_flag_count_eight() {
     wire.send(a, frame("123#00")).unwrap();
     let events = run(&mut wire, Time::from_us(300));
     assert_eq!(counters(&events, a)[0], (8, 0));
-    assert_eq!(
-        errors(&events, a)[0],
-        (ErrorKind::Bit0, Position::new(Field::OverloadFlag, 2))
-    );
+    assert_eq!(errors(&events, a)[0], (ErrorKind::Bit0, Position::new(Field::OverloadFlag, 2)));
 }
 
 // Rule e: a receiver that meets a bit error in its active error flag or overload flag counts 8.
@@ -232,21 +188,14 @@ fn dominant_after_flag(bits: u64, passive: bool) -> ((u16, u16), (u16, u16)) {
     run(&mut probe, Time::from_us(200));
     let first = {
         let trace = trace.lock().unwrap();
-        let after = |bit: &&can_wire::BitRecord| {
-            bit.node == a && bit.position == Position::new(Field::ErrorDelimiter, 0)
-        };
+        let after =
+            |bit: &&can_wire::BitRecord| bit.node == a && bit.position == Position::new(Field::ErrorDelimiter, 0);
         trace.bits.iter().find(after).unwrap().start
     };
     let (mut wire, a, b) = two();
     build(&mut wire, a);
     let from = first + Time::from_ns(100);
-    hold(
-        &mut wire,
-        Line::Bus,
-        Disturbance::Dominant,
-        from,
-        from + BIT * bits,
-    );
+    hold(&mut wire, Line::Bus, Disturbance::Dominant, from, from + BIT * bits);
     wire.send(a, frame("123#0000")).unwrap();
     run(&mut wire, Time::from_us(200));
     (wire.error_counters(a), wire.error_counters(b))
@@ -256,40 +205,27 @@ fn dominant_after_flag(bits: u64, passive: bool) -> ((u16, u16), (u16, u16)) {
 #[test]
 fn f_a_long_row_of_dominant_bits_counts() {
     // An active transmitter: 8 for its error, then 8 for each sequence.
-    let transmitter: Vec<u16> = [0, 7, 8, 15, 16, 24]
-        .map(|bits| dominant_after_flag(bits, false).0.0)
-        .to_vec();
+    let transmitter: Vec<u16> = [0, 7, 8, 15, 16, 24].map(|bits| dominant_after_flag(bits, false).0.0).to_vec();
     assert_eq!(transmitter, [8, 8, 16, 16, 24, 32]);
     // The receiver: 1 for its stuff error, 8 by rule b as soon as one more bit follows its own flag. Its flag ends
     // later than the transmitter's, so it counts the same bits later.
     let receiver = |bits| dominant_after_flag(bits, false).1.1;
     let flags = (0..40).map(receiver).collect::<Vec<u16>>();
     assert_eq!(flags[0], 1);
-    let steps: Vec<u64> = (1..40)
-        .filter(|bits| flags[*bits as usize] != flags[*bits as usize - 1])
-        .collect();
+    let steps: Vec<u64> = (1..40).filter(|bits| flags[*bits as usize] != flags[*bits as usize - 1]).collect();
     assert_eq!(flags[steps[0] as usize], 9, "rule b");
     assert_eq!(flags[steps[1] as usize], 17, "rule f");
-    assert_eq!(
-        steps[1] - steps[0],
-        7,
-        "the eighth bit, the first of which counted by rule b"
-    );
+    assert_eq!(steps[1] - steps[0], 7, "the eighth bit, the first of which counted by rule b");
     assert_eq!(steps[2] - steps[1], 8);
 }
 
 // Rule f, passive flag: a node that sends a passive flag tolerates seven dominant bits after it.
 #[test]
 fn f_holds_for_passive_flags_too() {
-    let counts: Vec<u16> = [0, 7, 8, 16]
-        .map(|bits| dominant_after_flag(bits, true).0.0)
-        .to_vec();
+    let counts: Vec<u16> = [0, 7, 8, 16].map(|bits| dominant_after_flag(bits, true).0.0).to_vec();
     // 130 + 8 for the error; the frame has six recessive bits only after the receiver's flag.
     let base = counts[0];
-    assert_eq!(
-        counts.iter().map(|count| count - base).collect::<Vec<_>>(),
-        [0, 0, 8, 16]
-    );
+    assert_eq!(counts.iter().map(|count| count - base).collect::<Vec<_>>(), [0, 0, 8, 16]);
 }
 
 // Rule g: a successful transmission counts down by 1, not below 0.
@@ -310,10 +246,7 @@ fn g_a_transmission_counts_down_by_one() {
 #[test]
 fn h_a_reception_counts_down_by_one_or_to_the_edge_of_passive() {
     for after in [119, 127] {
-        let config = NodeConfig {
-            rec_after_passive: after,
-            ..NodeConfig::new()
-        };
+        let config = NodeConfig { rec_after_passive: after, ..NodeConfig::new() };
         let (mut wire, nodes) = bench_of(2, config);
         let (a, b) = (nodes[0], nodes[1]);
         preset(&mut wire, b, 0, 140);

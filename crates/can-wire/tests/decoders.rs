@@ -22,10 +22,7 @@ fn output_of(tool: &str, package: &str, arguments: &[&str]) -> String {
         panic!("cannot run {tool} ({error}): install the Debian package {package}: apt-get install -y {package}")
     });
     let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        output.status.success(),
-        "{tool} {arguments:?} failed: {errors}"
-    );
+    assert!(output.status.success(), "{tool} {arguments:?} failed: {errors}");
     String::from_utf8(output.stdout).unwrap()
 }
 
@@ -55,8 +52,7 @@ fn sigrok_frame(random: &mut Random, index: usize) -> Frame {
         _ => {
             let brs = random.coin();
             let esi = !brs && random.coin();
-            let code =
-                [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14, 15][random.below(15) as usize];
+            let code = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14, 15][random.below(15) as usize];
             Frame::from_fields(id, Format::Fd(FdFlags { brs, esi }), dlc(code), &data)
         }
     }
@@ -78,13 +74,7 @@ fn frames_of_sigrok(text: &str) -> Vec<(Frame, bool)> {
     }
     let mut frames = Vec::new();
     let mut read = Read::default();
-    let number = |text: &str| {
-        text.split_whitespace()
-            .next()
-            .unwrap()
-            .parse::<u32>()
-            .unwrap()
-    };
+    let number = |text: &str| text.split_whitespace().next().unwrap().parse::<u32>().unwrap();
     for line in text.lines() {
         let line = line.split_once(": ").unwrap().1;
         if line == "Start of frame" {
@@ -114,10 +104,7 @@ fn frames_of_sigrok(text: &str) -> Vec<(Frame, bool)> {
                 None => Id::Standard(StandardId::new(read.base as u16).unwrap()),
             };
             let format = match (read.fd, read.remote) {
-                (true, _) => Format::Fd(FdFlags {
-                    brs: read.brs,
-                    esi: read.esi,
-                }),
+                (true, _) => Format::Fd(FdFlags { brs: read.brs, esi: read.esi }),
                 (false, true) => Format::Remote,
                 (false, false) => Format::Data,
             };
@@ -137,34 +124,20 @@ fn sigrok_decodes_the_value_change_dump() {
     let vcd = Vcd::new(BufWriter::new(File::create(&path).unwrap()), nodes.len()).unwrap();
     let vcd = Arc::new(Mutex::new(vcd));
     wire.set_trace(Some(Box::new(Arc::clone(&vcd))));
-    let sent: Vec<Frame> = (0..2_400)
-        .map(|index| sigrok_frame(&mut random, index))
-        .collect();
+    let sent: Vec<Frame> = (0..2_400).map(|index| sigrok_frame(&mut random, index)).collect();
     send_all(&mut wire, &nodes, &sent);
     vcd.lock().unwrap().finish(wire.now()).unwrap();
 
     // 40 MHz: a sample of sigrok is one clock period of the nodes.
     let decoder = "can:can_rx=bus:nominal_bitrate=1000000:fast_bitrate=4000000:sample_point=70";
     let path = path.to_str().unwrap();
-    let arguments = [
-        "-i",
-        path,
-        "-I",
-        "vcd:downsample=25000",
-        "-P",
-        decoder,
-        "-A",
-        "can=fields",
-    ];
+    let arguments = ["-i", path, "-I", "vcd:downsample=25000", "-P", decoder, "-A", "can=fields"];
     let text = output_of("sigrok-cli", "sigrok-cli", &arguments);
     let decoded = frames_of_sigrok(&text);
     for (index, ((decoded, acknowledged), sent)) in decoded.iter().zip(&sent).enumerate() {
         assert_eq!(decoded, sent, "frame {index}");
         // In an FD frame the decoder may take a fixed stuff bit for a dynamic one and be a bit late from then on.
-        assert!(
-            *acknowledged || sent.is_fd(),
-            "frame {index} is acknowledged"
-        );
+        assert!(*acknowledged || sent.is_fd(), "frame {index} is acknowledged");
     }
     assert_eq!(decoded.len(), sent.len());
 }
@@ -183,16 +156,11 @@ fn frame_of_tshark(line: &str) -> Frame {
     let format = match (brs, remote) {
         ("", "1") => Format::Remote,
         ("", _) => Format::Data,
-        _ => Format::Fd(FdFlags {
-            brs: brs == "1",
-            esi: esi == "1",
-        }),
+        _ => Format::Fd(FdFlags { brs: brs == "1", esi: esi == "1" }),
     };
     let hex = data.replace(':', "");
-    let bytes: Vec<u8> = (0..hex.len())
-        .step_by(2)
-        .map(|at| u8::from_str_radix(&hex[at..at + 2], 16).unwrap())
-        .collect();
+    let bytes: Vec<u8> =
+        (0..hex.len()).step_by(2).map(|at| u8::from_str_radix(&hex[at..at + 2], 16).unwrap()).collect();
     let len: usize = len.parse().unwrap();
     let code = match format {
         // The last of the reserved bytes is len8_dlc.
@@ -244,9 +212,7 @@ fn tshark_reads_the_capture() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wire.pcapng");
     let capture = BufWriter::new(File::create(&path).unwrap());
-    let capture = Arc::new(Mutex::new(
-        PcapNg::new(capture, Tap::Bus, nodes.len()).unwrap(),
-    ));
+    let capture = Arc::new(Mutex::new(PcapNg::new(capture, Tap::Bus, nodes.len()).unwrap()));
     wire.set_trace(Some(Box::new(Arc::clone(&capture))));
     let sent: Vec<Frame> = (0..3_000).map(|_| frames::any_frame(&mut random)).collect();
     send_all(&mut wire, &nodes, &sent);
@@ -264,9 +230,8 @@ fn tshark_sees_every_node_as_an_interface() {
     let (mut wire, nodes) = bench_of(3, NodeConfig::new());
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("nodes.pcapng");
-    let sinks: Vec<Box<dyn TraceSink + Send>> = vec![Box::new(
-        PcapNg::new(File::create(&path).unwrap(), Tap::EachNode, nodes.len()).unwrap(),
-    )];
+    let sinks: Vec<Box<dyn TraceSink + Send>> =
+        vec![Box::new(PcapNg::new(File::create(&path).unwrap(), Tap::EachNode, nodes.len()).unwrap())];
     wire.set_trace(Some(Box::new(sinks)));
     send_all(&mut wire, &nodes, &[common::frame("123#11")]);
     wire.set_trace(None);
@@ -284,12 +249,7 @@ fn tshark_sees_every_node_as_an_interface() {
     let mut lines: Vec<(&str, u32)> = text
         .lines()
         .map(|line| line.split_once('\t').unwrap())
-        .map(|(name, direction)| {
-            (
-                name,
-                u32::from_str_radix(direction.trim_start_matches("0x"), 16).unwrap(),
-            )
-        })
+        .map(|(name, direction)| (name, u32::from_str_radix(direction.trim_start_matches("0x"), 16).unwrap()))
         .collect();
     lines.sort_unstable();
     assert_eq!(lines, [("can0", 2), ("can1", 1), ("can2", 1)]);

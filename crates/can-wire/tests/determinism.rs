@@ -32,11 +32,7 @@ impl io::Write for Bytes {
 /// VCD, candump log, capture, timeline and picture of a noisy run.
 fn outputs(seed: u64) -> Vec<Vec<u8>> {
     let random = &mut Random::new(seed);
-    let slow = NodeConfig {
-        clock_ppm: -700,
-        rx_delay: Time::from_ps(12_345),
-        ..NodeConfig::new()
-    };
+    let slow = NodeConfig { clock_ppm: -700, rx_delay: Time::from_ps(12_345), ..NodeConfig::new() };
     let (mut wire, nodes) = bench(&[NodeConfig::new(), slow, NodeConfig::new()]);
     for node in &nodes {
         wire.set_noise(*node, 0.002, seed);
@@ -57,21 +53,12 @@ fn outputs(seed: u64) -> Vec<Vec<u8>> {
         }
         let limit = wire.now() + Time::from_us(random.below(1_500));
         while let Some(event) = wire.next_event(limit) {
-            if matches!(
-                event.kind,
-                EventKind::ErrorState {
-                    to: ErrorState::BusOff,
-                    ..
-                }
-            ) {
+            if matches!(event.kind, EventKind::ErrorState { to: ErrorState::BusOff, .. }) {
                 wire.start_recovery(event.node).unwrap();
             }
         }
     }
-    let mut outputs: Vec<Vec<u8>> = files
-        .iter()
-        .map(|file| file.0.lock().unwrap().clone())
-        .collect();
+    let mut outputs: Vec<Vec<u8>> = files.iter().map(|file| file.0.lock().unwrap().clone()).collect();
     let capture = capture.lock().unwrap();
     assert!(capture.is_complete());
     outputs.push(capture.timeline().into_bytes());

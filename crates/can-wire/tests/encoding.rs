@@ -37,13 +37,7 @@ include!("vectors/hand_checked.rs");
 fn the_bus_carries_the_encoded_bits() {
     let mut random = Random::new(0xE4C0);
     for iso in [true, false] {
-        let (mut wire, nodes) = bench_of(
-            2,
-            NodeConfig {
-                iso_crc: iso,
-                ..NodeConfig::new()
-            },
-        );
+        let (mut wire, nodes) = bench_of(2, NodeConfig { iso_crc: iso, ..NodeConfig::new() });
         for _ in 0..300 {
             let frame = frames::any_frame(&mut random);
             let trace = record(&mut wire);
@@ -52,45 +46,25 @@ fn the_bus_carries_the_encoded_bits() {
             assert_eq!(transmitted(&events, nodes[0]), [frame]);
             let trace = trace.lock().unwrap();
             let of = |node: NodeId| trace.bits.iter().filter(move |bit| bit.node == node);
-            let mut expected: Vec<_> = encode(&frame, iso)
-                .iter()
-                .map(|bit| (bit.position, bit.bit))
-                .collect();
-            let mut end = vec![
-                (Field::CrcDelimiter, 0, true),
-                (Field::AckSlot, 0, false),
-                (Field::AckDelimiter, 0, true),
-            ];
+            let mut expected: Vec<_> = encode(&frame, iso).iter().map(|bit| (bit.position, bit.bit)).collect();
+            let mut end =
+                vec![(Field::CrcDelimiter, 0, true), (Field::AckSlot, 0, false), (Field::AckDelimiter, 0, true)];
             end.extend((0..7).map(|bit| (Field::Eof, bit, true)));
             end.extend((0..3).map(|bit| (Field::Intermission, bit, true)));
-            expected.extend(
-                end.into_iter()
-                    .map(|(field, bit, level)| (can_wire::Position::new(field, bit), level)),
-            );
+            expected.extend(end.into_iter().map(|(field, bit, level)| (can_wire::Position::new(field, bit), level)));
             let in_frame = |bit: &&can_wire::BitRecord| bit.position.field != Field::Idle;
-            let seen = |node| {
-                of(node)
-                    .filter(in_frame)
-                    .map(|bit| (bit.position, bit.seen.bit()))
-                    .collect::<Vec<_>>()
-            };
+            let seen = |node| of(node).filter(in_frame).map(|bit| (bit.position, bit.seen.bit())).collect::<Vec<_>>();
             assert_eq!(seen(nodes[0]), expected, "{frame} at the transmitter");
             assert_eq!(seen(nodes[1]), expected, "{frame} at the receiver");
             // The transmitter drove all of it but the acknowledgement.
-            assert!(
-                of(nodes[0])
-                    .all(|bit| bit.driven == bit.seen || bit.position.field == Field::AckSlot)
-            );
+            assert!(of(nodes[0]).all(|bit| bit.driven == bit.seen || bit.position.field == Field::AckSlot));
         }
     }
 }
 
 #[test]
 fn iso_and_non_iso_nodes_do_not_understand_each_other() {
-    let old = NodeConfig {
-        iso_crc: false,
-        ..NodeConfig::new()
-    };
+    let old = NodeConfig { iso_crc: false, ..NodeConfig::new() };
     let (mut wire, nodes) = common::bench(&[NodeConfig::new(), old]);
     wire.send(nodes[0], frame("123##1AABBCCDD")).unwrap();
     let events = run(&mut wire, Time::from_us(500));

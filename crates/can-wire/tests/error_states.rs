@@ -4,8 +4,8 @@
 mod common;
 
 use can_wire::{
-    BitFault, Disturbance, ErrorKind, ErrorState, EventKind, Fault, Field, Frames, Line, Mode,
-    NodeConfig, NodeId, OverloadCause, Position, Role, Time, Wire,
+    BitFault, Disturbance, ErrorKind, ErrorState, EventKind, Fault, Field, Frames, Line, Mode, NodeConfig, NodeId,
+    OverloadCause, Position, Role, Time, Wire,
 };
 use common::{bench_of, confine::*, frame, received, run, transmitted};
 
@@ -32,10 +32,7 @@ fn i_the_error_that_makes_a_node_passive_is_signalled_actively() {
             .filter(|bit| bit.node == a && bit.position.field == Field::ErrorFlag)
             .map(|bit| bit.driven.is_dominant())
             .collect();
-        assert!(
-            flag.iter().all(|dominant| *dominant == (attempt == 1)),
-            "attempt {attempt}: {flag:?}"
-        );
+        assert!(flag.iter().all(|dominant| *dominant == (attempt == 1)), "attempt {attempt}: {flag:?}");
         assert!(flag.len() >= 6);
     }
     // The passive flag of the second attempt did not disturb the frame that b was receiving from nobody else: b ran
@@ -54,13 +51,7 @@ fn j_a_passive_node_becomes_active_when_both_counters_allow() {
         run(&mut wire, Time::from_us(200));
         seen.push((wire.error_counters(a), wire.error_state(a)));
     }
-    assert_eq!(
-        seen,
-        [
-            ((128, 128), ErrorState::Passive),
-            ((127, 128), ErrorState::Passive)
-        ]
-    );
+    assert_eq!(seen, [((128, 128), ErrorState::Passive), ((127, 128), ErrorState::Passive)]);
     wire.send(b, frame("123#00")).unwrap();
     let events = run(&mut wire, Time::from_us(200));
     assert_eq!(states(&events, a), [ErrorState::Active]);
@@ -72,13 +63,7 @@ fn j_a_passive_node_becomes_active_when_both_counters_allow() {
 fn k_32_transmit_errors_in_a_row_lead_to_bus_off() {
     let (mut wire, a, _b) = two();
     // Nothing dominant leaves a: every SOF is a bit error, and the active flags too.
-    hold(
-        &mut wire,
-        Line::Tx(a),
-        Disturbance::Recessive,
-        Time::ZERO,
-        Time::from_ms(100),
-    );
+    hold(&mut wire, Line::Tx(a), Disturbance::Recessive, Time::ZERO, Time::from_ms(100));
     let mut failures = 0;
     let mut values = Vec::new();
     while wire.error_state(a) != ErrorState::BusOff {
@@ -98,13 +83,7 @@ fn k_32_transmit_errors_in_a_row_lead_to_bus_off() {
 }
 
 fn bus_off(recovery_sequences: u16) -> (Wire, NodeId, NodeId) {
-    let (mut wire, nodes) = bench_of(
-        2,
-        NodeConfig {
-            recovery_sequences,
-            ..NodeConfig::new()
-        },
-    );
+    let (mut wire, nodes) = bench_of(2, NodeConfig { recovery_sequences, ..NodeConfig::new() });
     let (a, b) = (nodes[0], nodes[1]);
     preset(&mut wire, a, 250, 0);
     flip_seen(&mut wire, a, Field::Data, 2);
@@ -119,34 +98,17 @@ fn bus_off(recovery_sequences: u16) -> (Wire, NodeId, NodeId) {
 fn l_recovery_takes_128_times_11_recessive_bits() {
     for (setting, sequences) in [(128, 128), (129, 129u16)] {
         let (mut wire, a, _) = bus_off(setting);
-        assert!(
-            run(&mut wire, Time::from_ms(10)).is_empty(),
-            "nothing happens before the request"
-        );
+        assert!(run(&mut wire, Time::from_ms(10)).is_empty(), "nothing happens before the request");
         wire.start_recovery(a).unwrap();
         let start = wire.now();
         let events = run(&mut wire, Time::from_ms(3));
-        let done = events
-            .iter()
-            .filter(|event| matches!(event.kind, EventKind::RecoverySequence { .. }));
+        let done = events.iter().filter(|event| matches!(event.kind, EventKind::RecoverySequence { .. }));
         assert_eq!(done.count(), usize::from(sequences));
-        let active = events
-            .iter()
-            .find(|event| matches!(event.kind, EventKind::ErrorState { .. }))
-            .unwrap();
-        assert_eq!(
-            active.kind,
-            EventKind::ErrorState {
-                from: ErrorState::BusOff,
-                to: ErrorState::Active
-            }
-        );
+        let active = events.iter().find(|event| matches!(event.kind, EventKind::ErrorState { .. })).unwrap();
+        assert_eq!(active.kind, EventKind::ErrorState { from: ErrorState::BusOff, to: ErrorState::Active });
         // The last of 128 * 11 bits is sampled at 80 % of it.
         let bits = 11 * u64::from(sequences);
-        assert_eq!(
-            active.time.since(start),
-            BIT * (bits - 1) + Time::from_ns(800)
-        );
+        assert_eq!(active.time.since(start), BIT * (bits - 1) + Time::from_ns(800));
         assert_eq!(wire.error_counters(a), (0, 0));
         wire.send(a, frame("123#00")).unwrap();
         assert_eq!(transmitted(&run(&mut wire, Time::from_us(200)), a).len(), 1);
@@ -175,10 +137,7 @@ fn l_traffic_in_between_counts_once_per_frame() {
                 wire.send(b, frame("123#0000")).unwrap();
             }
             EventKind::RecoverySequence { count } => sequences = count,
-            EventKind::ErrorState {
-                to: ErrorState::Active,
-                ..
-            } => break,
+            EventKind::ErrorState { to: ErrorState::Active, .. } => break,
             _ => {}
         }
     }
@@ -195,17 +154,13 @@ fn a_passive_transmitter_suspends_transmission() {
         preset(&mut wire, a, tec, 0);
         wire.send(a, frame("123#00")).unwrap();
         let mut times = Vec::new();
-        wire.run_until(wire.now() + Time::from_us(300), |wire, event| {
-            match event.kind {
-                EventKind::Transmitted { .. } if times.is_empty() => {
-                    times.push(event.time);
-                    wire.send(a, frame("123#00")).unwrap();
-                }
-                EventKind::StartOfFrame {
-                    role: Role::Transmitter,
-                } if !times.is_empty() => times.push(event.time),
-                _ => {}
+        wire.run_until(wire.now() + Time::from_us(300), |wire, event| match event.kind {
+            EventKind::Transmitted { .. } if times.is_empty() => {
+                times.push(event.time);
+                wire.send(a, frame("123#00")).unwrap();
             }
+            EventKind::StartOfFrame { role: Role::Transmitter } if !times.is_empty() => times.push(event.time),
+            _ => {}
         });
         times[1].since(times[0])
     };
@@ -231,10 +186,7 @@ fn another_node_may_start_while_a_passive_one_is_suspended() {
             }
         }
     });
-    let order: Vec<_> = order
-        .into_iter()
-        .map(|(node, sent)| (node, sent.raw_id()))
-        .collect();
+    let order: Vec<_> = order.into_iter().map(|(node, sent)| (node, sent.raw_id())).collect();
     assert_eq!(order, [(a, 0x001), (b, 0x700), (a, 0x002)]);
 }
 
@@ -248,11 +200,8 @@ fn an_error_flag_is_six_to_twelve_dominant_bits_on_the_bus() {
         wire.send(a, frame(CLEAN)).unwrap();
         run(&mut wire, Time::from_us(200));
         let trace = trace.lock().unwrap();
-        let after_error = trace
-            .bits
-            .iter()
-            .filter(|bit| bit.node == b)
-            .skip_while(|bit| bit.position.field != Field::ErrorFlag);
+        let after_error =
+            trace.bits.iter().filter(|bit| bit.node == b).skip_while(|bit| bit.position.field != Field::ErrorFlag);
         after_error.take_while(|bit| bit.seen.is_dominant()).count()
     };
     // b alone detects an error within the data and sends six dominant bits; at the sixth the others meet a stuff error,
@@ -271,11 +220,7 @@ fn an_error_flag_is_six_to_twelve_dominant_bits_on_the_bus() {
     wire.send(a, frame("000#")).unwrap();
     run(&mut wire, Time::from_us(200));
     let trace = trace.lock().unwrap();
-    let flag = trace
-        .bits
-        .iter()
-        .filter(|bit| bit.node == b)
-        .skip_while(|bit| bit.position.field != Field::ErrorFlag);
+    let flag = trace.bits.iter().filter(|bit| bit.node == b).skip_while(|bit| bit.position.field != Field::ErrorFlag);
     let length = flag.take_while(|bit| bit.seen.is_dominant()).count();
     assert!((6..=12).contains(&length), "{length}");
 }
@@ -294,13 +239,7 @@ fn a_dominant_last_bit_of_eof_is_an_overload_condition_for_receivers_only() {
         a,
         Position::new(Field::Eof, 6),
     );
-    hold(
-        &mut wire,
-        Line::Bus,
-        Disturbance::Dominant,
-        at.since(Time::from_ns(700)),
-        at + HALF,
-    );
+    hold(&mut wire, Line::Bus, Disturbance::Dominant, at.since(Time::from_ns(700)), at + HALF);
     wire.send(a, frame("123#00")).unwrap();
     let mut events = Vec::new();
     wire.run_until(wire.now() + Time::from_us(400), |wire, event| {
@@ -311,22 +250,10 @@ fn a_dominant_last_bit_of_eof_is_an_overload_condition_for_receivers_only() {
     });
     assert_eq!(received(&events, b).len(), 2);
     assert_eq!(transmitted(&events, a).len(), 1);
-    let overload = events
-        .iter()
-        .find(|event| event.node == b && matches!(event.kind, EventKind::Overload(_)));
-    assert_eq!(
-        overload.unwrap().kind,
-        EventKind::Overload(OverloadCause::LastBitOfEof)
-    );
-    assert_eq!(
-        errors(&events, a),
-        [(ErrorKind::Bit1, Position::new(Field::Eof, 6))]
-    );
-    assert_eq!(
-        wire.error_counters(b),
-        (0, 0),
-        "an overload condition is no error"
-    );
+    let overload = events.iter().find(|event| event.node == b && matches!(event.kind, EventKind::Overload(_)));
+    assert_eq!(overload.unwrap().kind, EventKind::Overload(OverloadCause::LastBitOfEof));
+    assert_eq!(errors(&events, a), [(ErrorKind::Bit1, Position::new(Field::Eof, 6))]);
+    assert_eq!(wire.error_counters(b), (0, 0), "an overload condition is no error");
 }
 
 #[test]
@@ -339,10 +266,6 @@ fn modes_without_error_signalling_do_not_count() {
         let events = run(&mut wire, Time::from_us(300));
         assert_eq!(errors(&events, c).len(), 1, "{mode:?} detects");
         assert_eq!(wire.error_counters(c), (0, 0), "{mode:?} does not count");
-        assert_eq!(
-            transmitted(&events, a).len(),
-            1,
-            "{mode:?} does not disturb"
-        );
+        assert_eq!(transmitted(&events, a).len(), 1, "{mode:?} does not disturb");
     }
 }

@@ -13,9 +13,8 @@ use std::{
 
 use can_frame::{Dlc, ExtendedId, FdFlags, Format, Frame, Id, StandardId};
 use can_wire::{
-    BitFault, BitTiming, DelayCompensation, DelaySource, Disturbance, ErrorState, EventKind, Fault,
-    FdSupport, Field, Frames, Line, Mode, NodeConfig, NodeId, Position, ProtocolException, Time,
-    Wire,
+    BitFault, BitTiming, DelayCompensation, DelaySource, Disturbance, ErrorState, EventKind, Fault, FdSupport, Field,
+    Frames, Line, Mode, NodeConfig, NodeId, Position, ProtocolException, Time, Wire,
 };
 use common::Random;
 
@@ -42,14 +41,8 @@ impl Input<'_> {
     }
 }
 
-const MODES: [Mode; 6] = [
-    Mode::Normal,
-    Mode::ListenOnly,
-    Mode::Restricted,
-    Mode::InternalLoopback,
-    Mode::ExternalLoopback,
-    Mode::Off,
-];
+const MODES: [Mode; 6] =
+    [Mode::Normal, Mode::ListenOnly, Mode::Restricted, Mode::InternalLoopback, Mode::ExternalLoopback, Mode::Off];
 
 fn timing(input: &mut Input<'_>) -> BitTiming {
     BitTiming {
@@ -65,23 +58,14 @@ fn timing(input: &mut Input<'_>) -> BitTiming {
 fn config(input: &mut Input<'_>) -> NodeConfig {
     let plain = input.byte() & 1 == 0;
     let standard = NodeConfig::new();
-    let nominal = if plain {
-        standard.nominal
-    } else {
-        timing(input)
-    };
+    let nominal = if plain { standard.nominal } else { timing(input) };
     let data = if plain { standard.data } else { timing(input) };
     let delay = match input.below(3) {
         0 => DelaySource::Fixed(u16::from(input.byte())),
-        _ => DelaySource::Measured {
-            filter: u16::from(input.byte()),
-        },
+        _ => DelaySource::Measured { filter: u16::from(input.byte()) },
     };
-    let compensation = DelayCompensation {
-        delay,
-        offset: i16::from(input.byte() as i8),
-        limit: u16::from(input.byte()),
-    };
+    let compensation =
+        DelayCompensation { delay, offset: i16::from(input.byte() as i8), limit: u16::from(input.byte()) };
     NodeConfig {
         clock_hz: [40_000_000, 80_000_000, 20_000_000, 8_333_333][usize::from(input.below(4))],
         clock_ppm: i32::from(input.byte() as i8) * 100,
@@ -92,8 +76,7 @@ fn config(input: &mut Input<'_>) -> NodeConfig {
         rx_delay: Time::from_ps(u64::from(input.word() % 1_000_000)),
         fd: [FdSupport::Fd, FdSupport::Tolerant, FdSupport::Classic][usize::from(input.below(3))],
         iso_crc: input.below(4) != 0,
-        protocol_exception: [ProtocolException::Integrate, ProtocolException::FormError]
-            [usize::from(input.below(2))],
+        protocol_exception: [ProtocolException::Integrate, ProtocolException::FormError][usize::from(input.below(2))],
         edge_filter: input.below(2) == 1,
         rec_after_passive: 119 + input.below(9),
         recovery_sequences: 1 + u16::from(input.byte()),
@@ -110,10 +93,7 @@ fn any_frame(input: &mut Input<'_>) -> Frame {
     let format = match input.below(3) {
         0 => Format::Data,
         1 => Format::Remote,
-        _ => Format::Fd(FdFlags {
-            brs: input.below(2) == 1,
-            esi: input.below(2) == 1,
-        }),
+        _ => Format::Fd(FdFlags { brs: input.below(2) == 1, esi: input.below(2) == 1 }),
     };
     let byte = input.byte();
     Frame::from_fields(id, format, Dlc::from_low_bits(input.byte()), &[byte; 64])
@@ -122,11 +102,8 @@ fn any_frame(input: &mut Input<'_>) -> Frame {
 fn fault(input: &mut Input<'_>, node: NodeId, now: Time) -> Fault {
     let from = now + Time::from_ns(u64::from(input.word() % 20_000));
     let until = from + Time::from_ps(u64::from(input.word() % 20_000_000));
-    let frames = Frames {
-        sender: (input.below(2) == 1).then_some(node),
-        skip: 0,
-        count: 1 + u32::from(input.below(3)),
-    };
+    let frames =
+        Frames { sender: (input.below(2) == 1).then_some(node), skip: 0, count: 1 + u32::from(input.below(3)) };
     let fields = [
         Field::Sof,
         Field::BaseId,
@@ -147,25 +124,13 @@ fn fault(input: &mut Input<'_>, node: NodeId, now: Time) -> Fault {
         1 => Fault::Cut { node, from, until },
         2 => {
             let line = [Line::Bus, Line::Tx(node), Line::Rx(node)][usize::from(input.below(3))];
-            let how = [
-                Disturbance::Dominant,
-                Disturbance::Recessive,
-                Disturbance::Inverted,
-            ][usize::from(input.below(3))];
-            Fault::Disturb {
-                line,
-                how,
-                from,
-                until,
-            }
+            let how =
+                [Disturbance::Dominant, Disturbance::Recessive, Disturbance::Inverted][usize::from(input.below(3))];
+            Fault::Disturb { line, how, from, until }
         }
         _ => Fault::Bit {
             node,
-            fault: [
-                BitFault::InvertSeen,
-                BitFault::InvertDriven,
-                BitFault::SilenceDriven,
-            ][usize::from(input.below(3))],
+            fault: [BitFault::InvertSeen, BitFault::InvertDriven, BitFault::SilenceDriven][usize::from(input.below(3))],
             position: Position {
                 field: fields[usize::from(input.below(13))],
                 bit: u16::from(input.below(20)),
@@ -184,12 +149,7 @@ fn bit_stream(input: &mut Input<'_>, wire: &mut Wire) {
         let lengths = input.byte();
         let from = at + Time::from_ps(unit * u64::from(lengths & 0xF));
         let until = from + Time::from_ps(unit * u64::from(lengths >> 4));
-        wire.inject(Fault::Disturb {
-            line: Line::Bus,
-            how: Disturbance::Dominant,
-            from,
-            until,
-        });
+        wire.inject(Fault::Disturb { line: Line::Bus, how: Disturbance::Dominant, from, until });
         at = until;
     }
 }
@@ -229,48 +189,28 @@ fn run_input(bytes: &[u8]) {
         let limit = start + Time::from_us(u64::from(input.byte()) * 4);
         let mut last = start;
         while let Some(event) = wire.next_event(limit) {
-            assert!(
-                event.time >= last || matches!(event.kind, EventKind::WakeUp),
-                "time goes back: {event}"
-            );
+            assert!(event.time >= last || matches!(event.kind, EventKind::WakeUp), "time goes back: {event}");
             last = last.max(event.time);
             if let EventKind::Counters { tec, rec } = event.kind {
                 assert!(tec <= 255 && rec <= 255);
             }
-            if matches!(
-                event.kind,
-                EventKind::ErrorState {
-                    to: ErrorState::BusOff,
-                    ..
-                }
-            ) && wire.mode(event.node) != Mode::Off
+            if matches!(event.kind, EventKind::ErrorState { to: ErrorState::BusOff, .. })
+                && wire.mode(event.node) != Mode::Off
             {
                 wire.start_recovery(event.node).unwrap();
             }
         }
         assert_eq!(wire.now(), limit);
         // No hang: so many steps of a node per data bit time of the fastest node are too many.
-        let shortest = nodes
-            .iter()
-            .map(|node| wire.config(*node))
-            .map(|c| c.data_bit().min(c.nominal_bit()))
-            .min()
-            .unwrap();
+        let shortest =
+            nodes.iter().map(|node| wire.config(*node)).map(|c| c.data_bit().min(c.nominal_bit())).min().unwrap();
         let bits = wire.now().since(start).as_ps() / shortest.as_ps() + 100;
         let steps = wire.statistics().steps - steps;
         // Edges of the bus and of the raw bit stream are steps too.
-        assert!(
-            steps < bits * 8 * (nodes.len() as u64 + 1) + 5_000,
-            "{steps} steps in {bits} bits"
-        );
+        assert!(steps < bits * 8 * (nodes.len() as u64 + 1) + 5_000, "{steps} steps in {bits} bits");
     }
     for node in nodes {
-        let _ = (
-            wire.partial_frame(node),
-            wire.position(node),
-            wire.rx_level(node),
-            wire.error_state(node),
-        );
+        let _ = (wire.partial_frame(node), wire.position(node), wire.rx_level(node), wire.error_state(node));
     }
 }
 
@@ -285,10 +225,7 @@ fn checked(name: &str, bytes: &[u8]) {
 #[test]
 fn the_corpus_runs() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/corpus");
-    let mut paths: Vec<_> = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .collect();
+    let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     assert!(paths.len() >= 10, "the corpus is committed");
     for path in paths {
@@ -299,10 +236,7 @@ fn the_corpus_runs() {
 #[test]
 fn random_inputs_run_for_a_bounded_time() {
     let setting = |name, default| env::var(name).map_or(default, |value| value.parse().unwrap());
-    let (seconds, seed) = (
-        setting("CAN_WIRE_FUZZ_SECONDS", 5),
-        setting("CAN_WIRE_FUZZ_SEED", 1),
-    );
+    let (seconds, seed) = (setting("CAN_WIRE_FUZZ_SECONDS", 5), setting("CAN_WIRE_FUZZ_SEED", 1));
     let end = Instant::now() + Duration::from_secs(seconds);
     let mut random = Random::new(seed);
     let mut inputs = 0u64;

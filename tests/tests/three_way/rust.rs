@@ -30,7 +30,12 @@ pub fn compare(model: &Model, controller: &Controller) -> usize {
     }
     for (meta, message) in controller.messages.iter().zip(&model.messages) {
         for (word, expected) in meta.words.iter().zip(&message.words) {
-            assert_eq!((word.name, u64::from(word.offset)), (expected.name.as_str(), expected.offset), "{}", message.name);
+            assert_eq!(
+                (word.name, u64::from(word.offset)),
+                (expected.name.as_str(), expected.offset),
+                "{}",
+                message.name
+            );
             assert_eq!(word.fields.len(), expected.fields.len(), "{}.{}", message.name, expected.name);
             for (meta, field) in word.fields.iter().zip(&expected.fields) {
                 compare_field(&format!("{}.{}.{}", message.name, expected.name, field.name), meta, field, model);

@@ -19,12 +19,7 @@ impl<W: io::Write> CandumpLog<W> {
     /// A log of what `tap` shows of a wire of `nodes` nodes.
     #[must_use]
     pub fn new(output: W, tap: Tap, nodes: usize) -> CandumpLog<W> {
-        CandumpLog {
-            output,
-            tap,
-            interfaces: tap.interfaces(nodes),
-            error: None,
-        }
+        CandumpLog { output, tap, interfaces: tap.interfaces(nodes), error: None }
     }
 
     /// Flushes; reports the first error met on the way.
@@ -47,12 +42,7 @@ impl<W: io::Write> TraceSink for CandumpLog<W> {
         let Some(interface) = self.interfaces.get(interface) else {
             return;
         };
-        let line = LogLine {
-            nanoseconds: event.time.as_ns(),
-            interface,
-            frame,
-            direction,
-        };
+        let line = LogLine { nanoseconds: event.time.as_ns(), interface, frame, direction };
         if self.error.is_none() {
             self.error = writeln!(self.output, "{line}").err();
         }

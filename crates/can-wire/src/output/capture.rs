@@ -33,13 +33,7 @@ impl FrameCapture {
     /// Catches a frame as seen by `reference`, after letting `skip` frames pass.
     #[must_use]
     pub fn new(reference: NodeId, skip: u64) -> FrameCapture {
-        FrameCapture {
-            reference,
-            skip,
-            state: State::Waiting,
-            bits: Vec::new(),
-            events: Vec::new(),
-        }
+        FrameCapture { reference, skip, state: State::Waiting, bits: Vec::new(), events: Vec::new() }
     }
 
     /// True once the frame and its intermission are over.
@@ -87,18 +81,14 @@ impl TraceSink for FrameCapture {
             self.state = State::Catching;
         } else if self.state == State::Catching && is_reference {
             let again = starts && self.of(self.reference).next().is_some();
-            let over = matches!(
-                bit.position.field,
-                Field::Idle | Field::Off | Field::BusOff | Field::Suspend
-            );
+            let over = matches!(bit.position.field, Field::Idle | Field::Off | Field::BusOff | Field::Suspend);
             if again || over || self.bits.len() > MAX_BITS_PER_NODE * self.nodes().len() {
                 self.state = State::Done;
             }
         }
         if self.state == State::Closing {
             let last = self.of(self.reference).last().copied();
-            let late =
-                last.is_none_or(|last| bit.sample > last.sample + last.sample.since(last.start));
+            let late = last.is_none_or(|last| bit.sample > last.sample + last.sample.since(last.start));
             if late || is_reference {
                 self.state = State::Done;
             } else if !starts {

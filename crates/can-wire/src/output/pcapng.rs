@@ -47,8 +47,7 @@ impl<W: io::Write> PcapNg<W> {
     /// If `output` cannot be written.
     pub fn new(output: W, tap: Tap, nodes: usize) -> io::Result<PcapNg<W>> {
         // The same bytes on every machine.
-        let mut writer =
-            PcapNgWriter::with_endianness(output, Endianness::Little).map_err(io_error)?;
+        let mut writer = PcapNgWriter::with_endianness(output, Endianness::Little).map_err(io_error)?;
         let names = tap.interfaces(nodes);
         for name in &names {
             let interface = InterfaceDescriptionBlock {
@@ -59,16 +58,9 @@ impl<W: io::Write> PcapNg<W> {
                     InterfaceDescriptionOption::IfTsResol(NANOSECONDS),
                 ],
             };
-            writer
-                .write_pcapng_block(interface.into_owned())
-                .map_err(io_error)?;
+            writer.write_pcapng_block(interface.into_owned()).map_err(io_error)?;
         }
-        Ok(PcapNg {
-            writer,
-            tap,
-            interfaces: names.len(),
-            error: None,
-        })
+        Ok(PcapNg { writer, tap, interfaces: names.len(), error: None })
     }
 
     /// Flushes; reports the first error met on the way.
@@ -82,13 +74,7 @@ impl<W: io::Write> PcapNg<W> {
         }
     }
 
-    fn packet(
-        &mut self,
-        time: Time,
-        interface: usize,
-        frame: &Frame,
-        direction: Option<Direction>,
-    ) -> io::Result<()> {
+    fn packet(&mut self, time: Time, interface: usize, frame: &Frame, direction: Option<Direction>) -> io::Result<()> {
         let (bytes, len) = socketcan(frame);
         let flags = direction.map(|direction| match direction {
             Direction::Received => EnhancedPacketOption::Flags(INBOUND),
@@ -124,20 +110,14 @@ impl<W: io::Write> TraceSink for PcapNg<W> {
 /// `struct can_frame` or `struct canfd_frame` as link type 227 has it.
 fn socketcan(frame: &Frame) -> ([u8; HEADER + FD_MAX_LEN], usize) {
     let mut bytes = [0; HEADER + FD_MAX_LEN];
-    let id = frame.raw_id()
-        | if frame.is_extended() { EXTENDED } else { 0 }
-        | if frame.is_remote() { REMOTE } else { 0 };
+    let id =
+        frame.raw_id() | if frame.is_extended() { EXTENDED } else { 0 } | if frame.is_remote() { REMOTE } else { 0 };
     bytes[..4].copy_from_slice(&id.to_be_bytes());
     bytes[HEADER..HEADER + frame.len()].copy_from_slice(frame.data_bytes());
     if frame.is_fd() {
         bytes[4] = frame.len() as u8;
-        bytes[5] = FDF
-            | if frame.bit_rate_switch() { BRS } else { 0 }
-            | if frame.error_state_indicator() {
-                ESI
-            } else {
-                0
-            };
+        bytes[5] =
+            FDF | if frame.bit_rate_switch() { BRS } else { 0 } | if frame.error_state_indicator() { ESI } else { 0 };
         return (bytes, HEADER + FD_MAX_LEN);
     }
     bytes[4] = frame.dlc().classic_len() as u8;

@@ -33,20 +33,12 @@ impl FrameCapture {
         let reference: Vec<&BitRecord> = self.of(self.reference).collect();
         let nodes = self.nodes();
         let (Some(first), Some(last)) = (reference.first(), reference.last()) else {
-            return String::from(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1\" height=\"1\"/>",
-            );
+            return String::from("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1\" height=\"1\"/>");
         };
-        let shortest = reference
-            .windows(2)
-            .map(|pair| pair[1].start.since(pair[0].start).as_ps())
-            .min();
+        let shortest = reference.windows(2).map(|pair| pair[1].start.since(pair[0].start).as_ps()).min();
         let shortest = shortest.unwrap_or(1).max(1);
         let end = last.sample + last.sample.since(last.start);
-        let scale = Scale {
-            origin: first.start,
-            per_ps: BIT / shortest as f64,
-        };
+        let scale = Scale { origin: first.start, per_ps: BIT / shortest as f64 };
         let width = (scale.x(end) + RIGHT).max(NARROWEST);
         let height = HEADER + nodes.len() as f64 * (2.0 * ROW + NODE_GAP) + 26.0;
         let mut svg = String::new();
@@ -77,11 +69,7 @@ impl FrameCapture {
 
     fn node(&self, out: &mut String, node: NodeId, top: f64, end: Time, scale: &Scale) {
         let bits: Vec<&BitRecord> = self.of(node).collect();
-        let role = if bits.iter().any(|bit| bit.role == Role::Transmitter) {
-            "transmitter"
-        } else {
-            "receiver"
-        };
+        let role = if bits.iter().any(|bit| bit.role == Role::Transmitter) { "transmitter" } else { "receiver" };
         let _ = writeln!(
             out,
             "<text x=\"8\" y=\"{:.0}\">{node}</text><text class=\"small\" x=\"8\" y=\"{:.0}\">{role}</text>",
@@ -97,11 +85,7 @@ impl FrameCapture {
                 let (x0, x1) = (scale.x(bit.start), scale.x(until));
                 let level = if class == "tx" { bit.driven } else { bit.seen };
                 let y = if level.bit() { high } else { low };
-                let _ = write!(
-                    path,
-                    "{}{x0:.1},{y:.1}L{x1:.1},{y:.1}",
-                    if index == 0 { "M" } else { "L" }
-                );
+                let _ = write!(path, "{}{x0:.1},{y:.1}L{x1:.1},{y:.1}", if index == 0 { "M" } else { "L" });
                 let mark = if bit.faulty {
                     "fault"
                 } else if bit.position.stuff {
@@ -119,12 +103,7 @@ impl FrameCapture {
             if class == "rx" {
                 for bit in &bits {
                     let x = scale.x(bit.sample);
-                    let _ = write!(
-                        out,
-                        "<path class=\"sample\" d=\"M{x:.1},{:.1}V{:.1}\"/>",
-                        low + 1.0,
-                        low + 5.0
-                    );
+                    let _ = write!(out, "<path class=\"sample\" d=\"M{x:.1},{:.1}V{:.1}\"/>", low + 1.0, low + 5.0);
                 }
                 out.push('\n');
             }
@@ -140,10 +119,7 @@ fn fields(out: &mut String, reference: &[&BitRecord], end: Time, scale: &Scale) 
         let until = scale.x(reference.get(group.end).map_or(end, |bit| bit.start));
         let signalling = matches!(
             group.field,
-            Field::ErrorFlag
-                | Field::ErrorDelimiter
-                | Field::OverloadFlag
-                | Field::OverloadDelimiter
+            Field::ErrorFlag | Field::ErrorDelimiter | Field::OverloadFlag | Field::OverloadDelimiter
         );
         let class = match () {
             () if signalling => "field bad",
@@ -151,18 +127,12 @@ fn fields(out: &mut String, reference: &[&BitRecord], end: Time, scale: &Scale) 
             () => "field",
         };
         if group.field == Field::Brs {
-            data_phase = reference[group.first..group.end]
-                .iter()
-                .any(|bit| !bit.position.stuff && bit.seen.bit());
+            data_phase = reference[group.first..group.end].iter().any(|bit| !bit.position.stuff && bit.seen.bit());
         }
         let text = label(&group, reference);
         let (x, y) = ((from + until) / 2.0, 48.0);
         let fits = text.len() as f64 * 6.2 < until - from;
-        let upright = if fits {
-            String::new()
-        } else {
-            format!(" transform=\"rotate(-90 {x:.1} {y})\"")
-        };
+        let upright = if fits { String::new() } else { format!(" transform=\"rotate(-90 {x:.1} {y})\"") };
         let dy = if fits { 4 } else { 3 };
         let _ = writeln!(
             out,

@@ -39,18 +39,9 @@ impl FrameCapture {
         let Some(first) = reference.first() else {
             return writeln!(text, "no frame");
         };
-        writeln!(
-            text,
-            "{} start of frame at {}, seen by {}",
-            self.title(),
-            first.start,
-            self.reference
-        )?;
+        writeln!(text, "{} start of frame at {}, seen by {}", self.title(), first.start, self.reference)?;
         let nodes = self.nodes();
-        let columns: Vec<Vec<Option<&BitRecord>>> = nodes
-            .iter()
-            .map(|node| self.align(*node, &reference))
-            .collect();
+        let columns: Vec<Vec<Option<&BitRecord>>> = nodes.iter().map(|node| self.align(*node, &reference)).collect();
         let groups = groups(&reference);
         let mut rest = &groups[..];
         while !rest.is_empty() {
@@ -68,10 +59,7 @@ impl FrameCapture {
             writeln!(text)?;
             self.write_line(text, line, &reference, &nodes, &columns)?;
         }
-        writeln!(
-            text,
-            "\n0 dominant, 1 recessive, o and i the same as stuff bits, ! injected fault"
-        )?;
+        writeln!(text, "\n0 dominant, 1 recessive, o and i the same as stuff bits, ! injected fault")?;
         for event in self.events.iter().filter(|event| is_worth_telling(event)) {
             writeln!(text, "{event}")?;
         }
@@ -83,10 +71,7 @@ impl FrameCapture {
             EventKind::Transmitted { frame, .. } | EventKind::Received { frame, .. } => Some(frame),
             _ => None,
         });
-        frame.map_or_else(
-            || String::from("an incomplete frame,"),
-            |frame| format!("{frame},"),
-        )
+        frame.map_or_else(|| String::from("an incomplete frame,"), |frame| format!("{frame},"))
     }
 
     fn write_line(
@@ -101,38 +86,21 @@ impl FrameCapture {
         let row = |text: &mut String, name: &str, cell: &dyn Fn(&Group) -> String| {
             let mut out = format!("{name:NAMES$}");
             for group in line {
-                let _ = write!(
-                    out,
-                    "|{:<width$}",
-                    cell(group),
-                    width = self.width(group, reference)
-                );
+                let _ = write!(out, "|{:<width$}", cell(group), width = self.width(group, reference));
             }
             writeln!(text, "{out}|")
         };
         row(text, "", &|group| label(group, reference))?;
-        row(text, "us", &|group| {
-            microseconds(reference[group.first].start.since(start))
-        })?;
+        row(text, "us", &|group| microseconds(reference[group.first].start.since(start)))?;
         for (node, bits) in nodes.iter().zip(columns) {
-            row(text, &format!("{node} drives"), &|group| {
-                letters(&bits[group.first..group.end], |bit| bit.driven)
-            })?;
-            row(text, &format!("{node} sees"), &|group| {
-                letters(&bits[group.first..group.end], |bit| bit.seen)
-            })?;
+            row(text, &format!("{node} drives"), &|group| letters(&bits[group.first..group.end], |bit| bit.driven))?;
+            row(text, &format!("{node} sees"), &|group| letters(&bits[group.first..group.end], |bit| bit.seen))?;
             let in_line = line.iter().flat_map(|group| &bits[group.first..group.end]);
             if in_line.flatten().any(|bit| bit.faulty) {
                 let mark = |bit: &Option<&BitRecord>| {
-                    if bit.is_some_and(|bit| bit.faulty) {
-                        '!'
-                    } else {
-                        ' '
-                    }
+                    if bit.is_some_and(|bit| bit.faulty) { '!' } else { ' ' }
                 };
-                row(text, "", &|group| {
-                    bits[group.first..group.end].iter().map(mark).collect()
-                })?;
+                row(text, "", &|group| bits[group.first..group.end].iter().map(mark).collect())?;
             }
         }
         Ok(())
@@ -141,9 +109,7 @@ impl FrameCapture {
     fn width(&self, group: &Group, reference: &[&BitRecord]) -> usize {
         let start = reference[0].start;
         let time = microseconds(reference[group.first].start.since(start)).len();
-        (group.end - group.first)
-            .max(label(group, reference).len())
-            .max(time)
+        (group.end - group.first).max(label(group, reference).len()).max(time)
     }
 
     /// The bits of a node, each in the column of the reference bit that begins nearest to it.
@@ -156,11 +122,7 @@ impl FrameCapture {
                 _ if after == reference.len() => after - 1,
                 _ => {
                     let (before, next) = (reference[after - 1].start, reference[after].start);
-                    if bit.start.since(before) <= next.since(bit.start) {
-                        after - 1
-                    } else {
-                        after
-                    }
+                    if bit.start.since(before) <= next.since(bit.start) { after - 1 } else { after }
                 }
             };
             if columns[nearest].is_none() {
@@ -177,17 +139,10 @@ pub(super) fn groups(reference: &[&BitRecord]) -> Vec<Group> {
     for (index, bit) in reference.iter().enumerate() {
         let byte = (bit.position.field == Field::Data).then_some(bit.position.bit / 8);
         match groups.last_mut() {
-            Some(group)
-                if group.field == bit.position.field && group.byte == byte && !restarts(bit) =>
-            {
+            Some(group) if group.field == bit.position.field && group.byte == byte && !restarts(bit) => {
                 group.end = index + 1;
             }
-            _ => groups.push(Group {
-                field: bit.position.field,
-                byte,
-                first: index,
-                end: index + 1,
-            }),
+            _ => groups.push(Group { field: bit.position.field, byte, first: index, end: index + 1 }),
         }
     }
     groups
@@ -201,9 +156,7 @@ fn restarts(bit: &BitRecord) -> bool {
 /// Name and, where the field is a number, its value.
 pub(super) fn label(group: &Group, reference: &[&BitRecord]) -> String {
     let value = || {
-        let bits = reference[group.first..group.end]
-            .iter()
-            .filter(|bit| !bit.position.stuff);
+        let bits = reference[group.first..group.end].iter().filter(|bit| !bit.position.stuff);
         bits.fold(0u64, |value, bit| value << 1 | u64::from(bit.seen.bit()))
     };
     match (group.field, group.byte) {
@@ -217,10 +170,7 @@ pub(super) fn label(group: &Group, reference: &[&BitRecord]) -> String {
 
 fn microseconds(time: Time) -> String {
     let ns = time.as_ns();
-    format!("{}.{:03}", ns / 1_000, ns % 1_000)
-        .trim_end_matches('0')
-        .trim_end_matches('.')
-        .to_owned()
+    format!("{}.{:03}", ns / 1_000, ns % 1_000).trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn letters(bits: &[Option<&BitRecord>], level: impl Fn(&BitRecord) -> Level) -> String {
@@ -237,8 +187,5 @@ fn letters(bits: &[Option<&BitRecord>], level: impl Fn(&BitRecord) -> Level) -> 
 }
 
 fn is_worth_telling(event: &Event) -> bool {
-    !matches!(
-        event.kind,
-        EventKind::StartOfFrame { .. } | EventKind::BusIdle
-    )
+    !matches!(event.kind, EventKind::StartOfFrame { .. } | EventKind::BusIdle)
 }

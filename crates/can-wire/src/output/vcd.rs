@@ -30,10 +30,7 @@ impl<W: io::Write> Vcd<W> {
         let mut pins = Vec::with_capacity(nodes);
         for node in 0..nodes {
             writer.add_module(&format!("node{node}"))?;
-            pins.push([
-                writer.add_wire(1, &format!("node{node}_tx"))?,
-                writer.add_wire(1, &format!("node{node}_rx"))?,
-            ]);
+            pins.push([writer.add_wire(1, &format!("node{node}_tx"))?, writer.add_wire(1, &format!("node{node}_rx"))?]);
             writer.upscope()?;
         }
         writer.upscope()?;
@@ -44,13 +41,7 @@ impl<W: io::Write> Vcd<W> {
             writer.change_scalar(id, Value::V1)?;
         }
         writer.end()?;
-        Ok(Vcd {
-            writer,
-            bus,
-            pins,
-            at: Some(Time::ZERO),
-            error: None,
-        })
+        Ok(Vcd { writer, bus, pins, at: Some(Time::ZERO), error: None })
     }
 
     /// Writes the time of the end and flushes; reports the first error met on the way. Nothing is written after it.
@@ -80,8 +71,7 @@ impl<W: io::Write> Vcd<W> {
             self.at = Some(time);
             self.writer.timestamp(time.as_ps())?;
         }
-        self.writer
-            .change_scalar(id, if level.bit() { Value::V1 } else { Value::V0 })
+        self.writer.change_scalar(id, if level.bit() { Value::V1 } else { Value::V0 })
     }
 }
 

@@ -44,11 +44,7 @@ impl Confinement {
     /// Rule h: a frame was received up to the ACK slot and acknowledged.
     pub(crate) fn received(&mut self, after_passive: u8, cx: &mut Context<'_>) {
         if self.rec > 0 {
-            self.rec = if self.rec > PASSIVE_ABOVE {
-                u16::from(after_passive)
-            } else {
-                self.rec - 1
-            };
+            self.rec = if self.rec > PASSIVE_ABOVE { u16::from(after_passive) } else { self.rec - 1 };
             self.counted(cx);
         }
     }
@@ -61,10 +57,7 @@ impl Confinement {
         self.state = ErrorState::Active;
         self.evaluate();
         let to = self.state;
-        cx.emit(EventKind::Counters {
-            tec: self.tec,
-            rec: self.rec,
-        });
+        cx.emit(EventKind::Counters { tec: self.tec, rec: self.rec });
         if from != to {
             cx.emit(EventKind::ErrorState { from, to });
         }
@@ -76,26 +69,16 @@ impl Confinement {
             self.state = ErrorState::BusOff;
         } else if self.state != ErrorState::BusOff {
             let passive = self.tec > PASSIVE_ABOVE || self.rec > PASSIVE_ABOVE;
-            self.state = if passive {
-                ErrorState::Passive
-            } else {
-                ErrorState::Active
-            };
+            self.state = if passive { ErrorState::Passive } else { ErrorState::Active };
         }
     }
 
     fn counted(&mut self, cx: &mut Context<'_>) {
         let from = self.state;
         self.evaluate();
-        cx.emit(EventKind::Counters {
-            tec: self.tec.min(BUS_OFF_ABOVE),
-            rec: self.rec,
-        });
+        cx.emit(EventKind::Counters { tec: self.tec.min(BUS_OFF_ABOVE), rec: self.rec });
         if from != self.state {
-            cx.emit(EventKind::ErrorState {
-                from,
-                to: self.state,
-            });
+            cx.emit(EventKind::ErrorState { from, to: self.state });
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Decoding a frame bit by bit: destuffing, fields, checks, from SOF to EOF (ISO 11898-1:2015, 10.4 to 10.6).
 
 use super::{
-    Checks, Context, ErrorKind, EventKind, FdSupport, Field, Position, Protocol, ProtocolException,
-    Role, stuff_count_field, transmit::Monitored,
+    Checks, Context, ErrorKind, EventKind, FdSupport, Field, Position, Protocol, ProtocolException, Role,
+    stuff_count_field, transmit::Monitored,
 };
 
 /// Equal bits in a row after which a stuff bit follows.
@@ -17,9 +17,7 @@ impl Protocol {
                 Monitored::ArbitrationLost => {
                     self.sending = false;
                     self.role = Role::Receiver;
-                    cx.emit(EventKind::ArbitrationLost {
-                        position: self.position(),
-                    });
+                    cx.emit(EventKind::ArbitrationLost { position: self.position() });
                 }
             }
         } else if bit && !self.drive {
@@ -58,11 +56,7 @@ impl Protocol {
     fn stuff_bit(&mut self, bit: bool, cx: &mut Context<'_>) {
         let fixed = self.incoming.fd && matches!(self.field, Field::StuffCount | Field::Crc);
         if bit == self.last {
-            let kind = if fixed {
-                ErrorKind::Form
-            } else {
-                ErrorKind::Stuff
-            };
+            let kind = if fixed { ErrorKind::Form } else { ErrorKind::Stuff };
             return self.raise(kind, self.position(), cx);
         }
         self.last = bit;
@@ -113,11 +107,7 @@ impl Protocol {
                 self.incoming.fd = fd;
                 self.incoming.remote &= !fd;
                 self.checks.choose_format(fd);
-                self.move_to(if fd || self.incoming.extended {
-                    Field::Res
-                } else {
-                    Field::Dlc
-                });
+                self.move_to(if fd || self.incoming.extended { Field::Res } else { Field::Dlc });
             }
             Field::Res => {
                 self.res_time = cx.now;
@@ -129,11 +119,7 @@ impl Protocol {
                         }
                     };
                 }
-                self.move_to(if self.incoming.fd {
-                    Field::Brs
-                } else {
-                    Field::Dlc
-                });
+                self.move_to(if self.incoming.fd { Field::Brs } else { Field::Dlc });
             }
             Field::Brs => {
                 self.incoming.brs = bit;
@@ -202,8 +188,7 @@ impl Protocol {
         let index = u32::from(self.bit);
         self.bit += 1;
         if self.field == Field::StuffCount {
-            self.crc_ok &=
-                bit == (stuff_count_field(self.checks.stuff_bits) >> (3 - index) & 1 == 1);
+            self.crc_ok &= bit == (stuff_count_field(self.checks.stuff_bits) >> (3 - index) & 1 == 1);
             self.checks.push(bit);
             self.last = bit;
             if self.bit == 4 {
@@ -244,8 +229,7 @@ impl Protocol {
                 return self.raise(ErrorKind::Ack, self.position(), cx);
             }
         } else if !self.drive && self.mode.counts_errors() {
-            self.confinement
-                .received(self.options.rec_after_passive, cx);
+            self.confinement.received(self.options.rec_after_passive, cx);
         }
         self.enter(Field::AckDelimiter);
     }
@@ -281,11 +265,7 @@ impl Protocol {
         self.bit += 1;
         let (sof, res) = (self.sof_time, self.incoming.fd.then_some(self.res_time));
         if index == 5 && !self.sending {
-            cx.emit(EventKind::Received {
-                frame: self.incoming.frame(),
-                sof,
-                res,
-            });
+            cx.emit(EventKind::Received { frame: self.incoming.frame(), sof, res });
         }
         if index == 6 {
             if self.sending {

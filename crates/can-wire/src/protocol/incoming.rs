@@ -48,11 +48,7 @@ impl Incoming {
         let raw = frame.raw_id();
         let mut incoming = Incoming {
             base_id: if frame.is_extended() { raw >> 18 } else { raw } as u16,
-            extension: if frame.is_extended() {
-                raw & 0x3_FFFF
-            } else {
-                0
-            },
+            extension: if frame.is_extended() { raw & 0x3_FFFF } else { 0 },
             extended: frame.is_extended(),
             remote: frame.is_remote(),
             fd: frame.is_fd(),
@@ -71,10 +67,7 @@ impl Incoming {
     /// Ready for the next frame; old data bytes need no clearing, `bytes` says which are valid.
     pub(crate) fn restart(&mut self) {
         let data = self.data;
-        *self = Incoming {
-            data,
-            ..Incoming::new()
-        };
+        *self = Incoming { data, ..Incoming::new() };
     }
 
     /// The length code is complete: how many data bytes follow.
@@ -107,19 +100,11 @@ impl Incoming {
             StandardId::new(base).map_or(Id::Standard(StandardId::ZERO), Id::Standard)
         };
         let format = match (self.fd, self.remote) {
-            (true, _) => Format::Fd(FdFlags {
-                brs: self.brs,
-                esi: self.esi,
-            }),
+            (true, _) => Format::Fd(FdFlags { brs: self.brs, esi: self.esi }),
             (false, true) => Format::Remote,
             (false, false) => Format::Data,
         };
-        Frame::from_fields(
-            id,
-            format,
-            Dlc::from_low_bits(self.dlc),
-            &self.data[..usize::from(self.bytes)],
-        )
+        Frame::from_fields(id, format, Dlc::from_low_bits(self.dlc), &self.data[..usize::from(self.bytes)])
     }
 }
 
@@ -214,16 +199,10 @@ mod tests {
     /// The table of ISO 11898-1:2015 as printed in several manuals.
     #[test]
     fn stuff_count_is_gray_code_with_even_parity() {
-        let table = [
-            0b0000, 0b0011, 0b0110, 0b0101, 0b1100, 0b1111, 0b1010, 0b1001,
-        ];
+        let table = [0b0000, 0b0011, 0b0110, 0b0101, 0b1100, 0b1111, 0b1010, 0b1001];
         for (count, field) in table.into_iter().enumerate() {
             assert_eq!(stuff_count_field(count as u8), field, "{count} stuff bits");
-            assert_eq!(
-                stuff_count_field(count as u8 + 8),
-                field,
-                "the count is taken modulo 8"
-            );
+            assert_eq!(stuff_count_field(count as u8 + 8), field, "the count is taken modulo 8");
         }
     }
 }

@@ -76,8 +76,7 @@ impl Protocol {
             }
             return;
         }
-        let suspended =
-            self.role == Role::Transmitter && self.confinement.state == ErrorState::Passive;
+        let suspended = self.role == Role::Transmitter && self.confinement.state == ErrorState::Passive;
         if bit {
             if suspended {
                 self.enter(Field::Suspend);
@@ -103,8 +102,7 @@ impl Protocol {
     fn load_request(&mut self) {
         if let Some(frame) = self.request.take() {
             // The error state at the start of the transmission goes out with the frame.
-            let esi =
-                frame.error_state_indicator() || self.confinement.state == ErrorState::Passive;
+            let esi = frame.error_state_indicator() || self.confinement.state == ErrorState::Passive;
             self.outgoing = frame.with_error_state_indicator(esi);
             self.sending = true;
             self.frames_sent += 1;

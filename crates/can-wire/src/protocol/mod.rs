@@ -17,8 +17,8 @@ use std::collections::VecDeque;
 use can_frame::Frame;
 
 use crate::{
-    BusError, ErrorKind, ErrorState, Event, EventKind, FdSupport, Field, Level, Mode, NodeConfig,
-    NodeId, PartialFrame, Position, ProtocolException, Role, Time,
+    BusError, ErrorKind, ErrorState, Event, EventKind, FdSupport, Field, Level, Mode, NodeConfig, NodeId, PartialFrame,
+    Position, ProtocolException, Role, Time,
 };
 
 pub(crate) use confinement::Confinement;
@@ -33,11 +33,7 @@ pub(crate) struct Context<'a> {
 
 impl Context<'_> {
     pub(crate) fn emit(&mut self, kind: EventKind) {
-        self.events.push_back(Event {
-            time: self.now,
-            node: self.node,
-            kind,
-        });
+        self.events.push_back(Event { time: self.now, node: self.node, kind });
     }
 }
 
@@ -163,19 +159,10 @@ impl Protocol {
     ///
     /// `late` is a bit whose secondary sample point has failed since the last sample point, with the level it had.
     #[inline]
-    pub(crate) fn sample(
-        &mut self,
-        bit: bool,
-        late: Option<(Position, Level)>,
-        cx: &mut Context<'_>,
-    ) {
+    pub(crate) fn sample(&mut self, bit: bool, late: Option<(Position, Level)>, cx: &mut Context<'_>) {
         match late {
             Some((position, level)) if self.sending && self.field.is_in_frame() => {
-                let kind = if level.is_dominant() {
-                    ErrorKind::Bit0
-                } else {
-                    ErrorKind::Bit1
-                };
+                let kind = if level.is_dominant() { ErrorKind::Bit0 } else { ErrorKind::Bit1 };
                 self.raise(kind, position, cx);
             }
             _ if self.field.is_in_frame() => self.frame_bit(bit, cx),
@@ -185,11 +172,7 @@ impl Protocol {
     }
 
     pub(crate) fn position(&self) -> Position {
-        Position {
-            field: self.field,
-            bit: self.bit,
-            stuff: self.stuff_next,
-        }
+        Position { field: self.field, bit: self.bit, stuff: self.stuff_next }
     }
 
     /// The transmitter compares at secondary sample points and takes its own bits for granted until then. The CRC
@@ -224,9 +207,7 @@ impl Protocol {
     pub(crate) fn is_sleeping(&self) -> bool {
         match self.field {
             Field::Off => true,
-            Field::Idle => {
-                (self.request.is_none() || !self.mode.can_transmit()) && self.mode_at_idle.is_none()
-            }
+            Field::Idle => (self.request.is_none() || !self.mode.can_transmit()) && self.mode_at_idle.is_none(),
             Field::BusOff => self.recovering.is_none(),
             _ => false,
         }

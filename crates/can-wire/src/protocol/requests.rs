@@ -14,9 +14,7 @@ impl Protocol {
         }
         if !mode.can_transmit() {
             if self.sending {
-                cx.emit(EventKind::Aborted {
-                    frame: self.outgoing,
-                });
+                cx.emit(EventKind::Aborted { frame: self.outgoing });
             }
             if let Some(frame) = self.request.take() {
                 cx.emit(EventKind::Aborted { frame });
@@ -24,9 +22,8 @@ impl Protocol {
         }
         self.mode = mode;
         let bus_off = self.confinement.state == ErrorState::BusOff;
-        let rejoins = before == Mode::Off
-            || before.is_loopback() != mode.is_loopback()
-            || (self.sending && !mode.can_transmit());
+        let rejoins =
+            before == Mode::Off || before.is_loopback() != mode.is_loopback() || (self.sending && !mode.can_transmit());
         if mode == Mode::Off {
             self.integrate();
             self.overload_requests = 0;
@@ -72,18 +69,8 @@ impl Protocol {
     }
 
     /// The state after a frame that was stepped over, before the last bit of the intermission.
-    pub(crate) fn finish_frame(
-        &mut self,
-        sent: bool,
-        frame: &Incoming,
-        sof: Time,
-        res: Option<Time>,
-    ) {
-        self.role = if sent {
-            Role::Transmitter
-        } else {
-            Role::Receiver
-        };
+    pub(crate) fn finish_frame(&mut self, sent: bool, frame: &Incoming, sof: Time, res: Option<Time>) {
+        self.role = if sent { Role::Transmitter } else { Role::Receiver };
         self.sending = false;
         self.frames_seen += 1;
         self.incoming = *frame;

@@ -1,9 +1,6 @@
 //! Error and overload signalling: flags, superposition, delimiters (ISO 11898-1:2015, 10.4.4, 10.4.5, 10.11).
 
-use super::{
-    BusError, Context, ErrorKind, ErrorState, EventKind, Field, Flag, Mode, Position, Protocol,
-    Role,
-};
+use super::{BusError, Context, ErrorKind, ErrorState, EventKind, Field, Flag, Mode, Position, Protocol, Role};
 use crate::OverloadCause;
 
 /// Bits of an error or overload flag.
@@ -16,13 +13,8 @@ const DOMINANT_SEQUENCE: u16 = 8;
 impl Protocol {
     /// An error was detected: count it and send an error flag from the next bit on.
     pub(super) fn raise(&mut self, kind: ErrorKind, position: Position, cx: &mut Context<'_>) {
-        let error = BusError {
-            kind,
-            position,
-            role: self.role,
-            data_phase: self.data_phase,
-            data_bytes: self.incoming.bytes,
-        };
+        let error =
+            BusError { kind, position, role: self.role, data_phase: self.data_phase, data_bytes: self.incoming.bytes };
         let failed = core::mem::take(&mut self.sending);
         self.data_phase = false;
         cx.emit(EventKind::Error(error));
@@ -46,21 +38,14 @@ impl Protocol {
                 // field was sent recessive and seen dominant.
                 Role::Transmitter if unacknowledged || kind == ErrorKind::Stuff => {}
                 Role::Transmitter => self.confinement.transmit_error(cx),
-                Role::Receiver => self
-                    .confinement
-                    .receive_error(if sending_flag { 8 } else { 1 }, cx),
+                Role::Receiver => self.confinement.receive_error(if sending_flag { 8 } else { 1 }, cx),
             }
         }
         if self.went_bus_off(cx) {
             return;
         }
         self.enter(Field::ErrorFlag);
-        self.flag = Flag {
-            active,
-            unacknowledged,
-            run: 0,
-            level: true,
-        };
+        self.flag = Flag { active, unacknowledged, run: 0, level: true };
     }
 
     pub(super) fn overload(&mut self, cause: OverloadCause, cx: &mut Context<'_>) {
@@ -92,11 +77,7 @@ impl Protocol {
                 return;
             }
         }
-        self.flag.run = if bit == self.flag.level {
-            self.flag.run + 1
-        } else {
-            1
-        };
+        self.flag.run = if bit == self.flag.level { self.flag.run + 1 } else { 1 };
         self.flag.level = bit;
         self.bit += 1;
         if u16::from(self.flag.run) == FLAG_BITS {
@@ -106,11 +87,7 @@ impl Protocol {
 
     fn enter_delimiter(&mut self) {
         let after_error = self.field == Field::ErrorFlag;
-        self.enter(if after_error {
-            Field::ErrorDelimiter
-        } else {
-            Field::OverloadDelimiter
-        });
+        self.enter(if after_error { Field::ErrorDelimiter } else { Field::OverloadDelimiter });
         self.count = 0;
     }
 

@@ -16,11 +16,7 @@ impl Protocol {
     #[inline]
     pub(super) fn next_drive(&self) -> bool {
         if self.sending {
-            return if self.stuff_next {
-                !self.last
-            } else {
-                self.frame_bit_to_send()
-            };
+            return if self.stuff_next { !self.last } else { self.frame_bit_to_send() };
         }
         match self.field {
             Field::ErrorFlag => !self.flag.active,
@@ -36,11 +32,7 @@ impl Protocol {
         match self.field {
             Field::Sof | Field::Res => false,
             Field::BaseId => {
-                let base = if frame.is_extended() {
-                    frame.raw_id() >> 18
-                } else {
-                    frame.raw_id()
-                };
+                let base = if frame.is_extended() { frame.raw_id() >> 18 } else { frame.raw_id() };
                 base >> (10 - bit) & 1 == 1
             }
             Field::Rtr => frame.is_extended() || frame.is_remote(),
@@ -51,13 +43,10 @@ impl Protocol {
             Field::Brs => frame.bit_rate_switch(),
             Field::Esi => matches!(frame.format(), Format::Fd(flags) if flags.esi),
             Field::Dlc => frame.dlc().code() >> (3 - bit) & 1 == 1,
-            Field::Data => frame
-                .data_bytes()
-                .get(usize::from(self.bit / 8))
-                .is_none_or(|byte| byte >> (7 - bit % 8) & 1 == 1),
-            Field::StuffCount => {
-                super::stuff_count_field(self.checks.stuff_bits) >> (3 - bit) & 1 == 1
+            Field::Data => {
+                frame.data_bytes().get(usize::from(self.bit / 8)).is_none_or(|byte| byte >> (7 - bit % 8) & 1 == 1)
             }
+            Field::StuffCount => super::stuff_count_field(self.checks.stuff_bits) >> (3 - bit) & 1 == 1,
             Field::Crc => self.crc_expected >> (self.checks.crc().width() - 1 - bit) & 1 == 1,
             _ => true,
         }
@@ -77,9 +66,7 @@ impl Protocol {
             // FD: an acknowledgement may be two bits long, and arrive a bit late.
             Field::AckDelimiter if self.incoming.fd && self.bit == 0 => Monitored::Fine,
             // A recessive stuff bit of the arbitration field that turns dominant is the sixth equal bit.
-            field if self.stuff_next && self.stuff_bit_is_in_arbitration(field) => {
-                Monitored::Error(ErrorKind::Stuff)
-            }
+            field if self.stuff_next && self.stuff_bit_is_in_arbitration(field) => Monitored::Error(ErrorKind::Stuff),
             field if field.is_arbitration() && !self.stuff_next => Monitored::ArbitrationLost,
             _ => Monitored::Error(ErrorKind::Bit1),
         }

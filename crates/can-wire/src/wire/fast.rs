@@ -16,12 +16,7 @@ pub(super) struct FastPath {
 
 impl Default for FastPath {
     fn default() -> FastPath {
-        FastPath {
-            allowed: true,
-            planned: false,
-            plan: None,
-            statistics: Statistics::default(),
-        }
+        FastPath { allowed: true, planned: false, plan: None, statistics: Statistics::default() }
     }
 }
 
@@ -43,9 +38,7 @@ impl FastPath {
     /// True once every receiver of the planned frame has sampled its start. Before, a request could still put another
     /// node into the arbitration.
     pub(super) fn has_started(&self) -> bool {
-        self.plan
-            .as_ref()
-            .is_none_or(|plan| plan.delivered > plan.receivers.len())
+        self.plan.as_ref().is_none_or(|plan| plan.delivered > plan.receivers.len())
     }
 
     /// A frame that is requested while another is on the bus only matters when the bus is idle again.
@@ -66,11 +59,7 @@ impl Wire {
 
     #[inline(never)]
     fn make_plan(&mut self, index: usize) -> bool {
-        let mut plan = self
-            .fast
-            .plan
-            .take()
-            .unwrap_or_else(|| Box::new(Plan::empty()));
+        let mut plan = self.fast.plan.take().unwrap_or_else(|| Box::new(Plan::empty()));
         self.fast.planned = self.work_out(index, &mut plan).is_some();
         self.fast.plan = Some(plan);
         self.fast.planned
@@ -111,16 +100,13 @@ impl Wire {
         let time = |sof, bit| Time::from_ps(plan.course.sample(sof, bit).ceil());
         let res_time = |sof| plan.course.layout.res.map(|bit| time(sof, bit));
         let sender = &mut self.nodes[plan.sender];
-        sender
-            .protocol
-            .finish_frame(true, &incoming, time(plan.sof, 0), res_time(plan.sof));
+        sender.protocol.finish_frame(true, &incoming, time(plan.sof, 0), res_time(plan.sof));
         sender.finish_frame(plan.sender_start(last), last, plan.delay);
         self.after_step(plan.sender);
         for receiver in &plan.receivers {
             let sof = receiver.sof;
             let node = &mut self.nodes[receiver.index];
-            node.protocol
-                .finish_frame(false, &incoming, time(sof, 0), res_time(sof));
+            node.protocol.finish_frame(false, &incoming, time(sof, 0), res_time(sof));
             // Noise has not met SOF, which a receiver samples while it is idle.
             node.finish_frame(plan.course.start(sof, last), last - 1, None);
             self.after_step(receiver.index);
@@ -195,20 +181,13 @@ impl Wire {
             }
         }
         if !level {
-            let at = plan
-                .course
-                .start(plan.sof, plan.course.layout.crc_delimiter)
-                .ceil();
+            let at = plan.course.start(plan.sof, plan.course.layout.crc_delimiter).ceil();
             changes.push((at, Signal::Tx(NodeId(plan.sender as u16)), true));
             bus.push((at + tx_delay, true));
         }
         let slot = plan.ack_slot();
         let (mut falls, mut rises) = (u64::MAX, 0);
-        for receiver in plan
-            .receivers
-            .iter()
-            .filter(|receiver| receiver.acknowledges)
-        {
+        for receiver in plan.receivers.iter().filter(|receiver| receiver.acknowledges) {
             let start = plan.course.start(receiver.sof, slot).ceil();
             let end = plan.course.start(receiver.sof, slot + 1).ceil();
             let signal = Signal::Tx(NodeId(receiver.index as u16));
@@ -220,12 +199,7 @@ impl Wire {
         bus.extend([(falls, false), (rises, true)]);
         for (at, level) in bus {
             changes.push((at, Signal::Bus, level));
-            for (index, node) in self
-                .nodes
-                .iter()
-                .enumerate()
-                .filter(|(_, node)| !node.hears_itself())
-            {
+            for (index, node) in self.nodes.iter().enumerate().filter(|(_, node)| !node.hears_itself()) {
                 let delay = node.config.rx_delay.as_ps();
                 changes.push((at + delay, Signal::Rx(NodeId(index as u16)), level));
             }

@@ -13,38 +13,23 @@ impl Wire {
         self.settle();
         let id = self.injected.len() as u32;
         match fault {
-            Fault::Bit {
-                node,
-                fault,
-                position,
-                frames,
-            } => {
+            Fault::Bit { node, fault, position, frames } => {
                 let started = self.frames_started(node, frames);
-                self.bit_faults
-                    .push(BitFaultAt::new(node, fault, position, frames, started));
+                self.bit_faults.push(BitFaultAt::new(node, fault, position, frames, started));
                 self.match_bit_faults(node.index());
                 self.nodes[node.index()].schedule_drive();
                 self.after_step(node.index());
             }
             Fault::DropAck { node, frames } => {
                 let started = self.frames_started(node, frames);
-                self.bit_faults
-                    .push(BitFaultAt::drop_ack(node, frames, started));
+                self.bit_faults.push(BitFaultAt::drop_ack(node, frames, started));
             }
             Fault::Disturb { from, until, .. } | Fault::Cut { from, until, .. } => {
                 let (from, until) = (from.as_ps().max(self.now), until.as_ps());
                 if until > from {
                     self.injected.push(fault);
-                    self.timed.push(Timed {
-                        at: from,
-                        id,
-                        begins: true,
-                    });
-                    self.timed.push(Timed {
-                        at: until,
-                        id,
-                        begins: false,
-                    });
+                    self.timed.push(Timed { at: from, id, begins: true });
+                    self.timed.push(Timed { at: until, id, begins: false });
                     // The earliest is taken from the end.
                     self.timed.sort_unstable_by(|a, b| b.cmp(a));
                     self.refresh_other();
@@ -77,10 +62,7 @@ impl Wire {
     /// # Panics
     /// If the probability is not between 0 and 1.
     pub fn set_noise(&mut self, node: NodeId, probability: f64, seed: u64) {
-        assert!(
-            (0.0..=1.0).contains(&probability),
-            "a probability lies between 0 and 1, not {probability}"
-        );
+        assert!((0.0..=1.0).contains(&probability), "a probability lies between 0 and 1, not {probability}");
         self.settle();
         let noise = (probability > 0.0).then(|| Box::new(Noise::new(probability, seed, node)));
         self.nodes[node.index()].faults.noise = noise;
@@ -112,8 +94,7 @@ impl Wire {
             if started >= fault.end {
                 return false;
             }
-            let here =
-                fault.node.index() == index && fault.position == position && started >= fault.first;
+            let here = fault.node.index() == index && fault.position == position && started >= fault.first;
             let sent = fault.sender.is_none_or(|sender| {
                 let sender = &nodes[sender.index()].protocol;
                 sender.sending || !position.field.is_in_frame()

@@ -247,11 +247,7 @@ impl Wire {
             let now = self.now;
             let node = &mut self.nodes[index];
             node.take_arrivals(now);
-            let mut cx = Context {
-                now: Time::from_ps(now),
-                node: NodeId(index as u16),
-                events: &mut self.events,
-            };
+            let mut cx = Context { now: Time::from_ps(now), node: NodeId(index as u16), events: &mut self.events };
             node.sample::<false>(now, &mut cx).0
         };
         if sampled && !self.bit_faults.is_empty() {
@@ -265,11 +261,7 @@ impl Wire {
         let now = self.now;
         let node = &mut self.nodes[index];
         node.take_arrivals(now);
-        let mut cx = Context {
-            now: Time::from_ps(now),
-            node: NodeId(index as u16),
-            events: &mut self.events,
-        };
+        let mut cx = Context { now: Time::from_ps(now), node: NodeId(index as u16), events: &mut self.events };
         let (sampled, record) = node.sample::<true>(now, &mut cx);
         if let (Some(record), Some(sink)) = (record, &mut self.tracer.sink) {
             sink.bit(&record);
@@ -281,8 +273,7 @@ impl Wire {
     fn put_out(&mut self, index: usize, output: Output) {
         let Output::Pin(level) = output else { return };
         if self.tracer.levels {
-            self.tracer
-                .level(self.now, Signal::Tx(NodeId(index as u16)), level);
+            self.tracer.level(self.now, Signal::Tx(NodeId(index as u16)), level);
         }
         let node = &self.nodes[index];
         if node.cut {
@@ -337,19 +328,14 @@ impl Wire {
     #[cold]
     fn report_wake_up(&mut self, index: usize) {
         if let Some(at) = self.nodes[index].woken.take() {
-            self.events.push_back(Event {
-                time: at,
-                node: NodeId(index as u16),
-                kind: EventKind::WakeUp,
-            });
+            self.events.push_back(Event { time: at, node: NodeId(index as u16), kind: EventKind::WakeUp });
         }
     }
 
     fn trace_input(&mut self, index: usize, level: bool) {
         if self.nodes[index].traced_rx != level {
             self.nodes[index].traced_rx = level;
-            self.tracer
-                .level(self.now, Signal::Rx(NodeId(index as u16)), level);
+            self.tracer.level(self.now, Signal::Rx(NodeId(index as u16)), level);
         }
     }
 }

@@ -1,9 +1,7 @@
 //! Looking at the wire and its nodes.
 
 use super::{Statistics, Wire};
-use crate::{
-    ErrorState, Level, Mode, NodeConfig, NodeId, PartialFrame, Position, Role, Time, TraceSink,
-};
+use crate::{ErrorState, Level, Mode, NodeConfig, NodeId, PartialFrame, Position, Role, Time, TraceSink};
 
 impl Wire {
     /// The present.
@@ -89,10 +87,7 @@ impl Wire {
     }
 
     /// Has the run watched from now on; returns the sink that watched it before. `None` ends it.
-    pub fn set_trace(
-        &mut self,
-        sink: Option<Box<dyn TraceSink + Send>>,
-    ) -> Option<Box<dyn TraceSink + Send>> {
+    pub fn set_trace(&mut self, sink: Option<Box<dyn TraceSink + Send>>) -> Option<Box<dyn TraceSink + Send>> {
         self.settle();
         let before = self.tracer.set(sink);
         let now = self.now;
@@ -105,8 +100,7 @@ impl Wire {
         if self.tracer.levels {
             for index in 0..self.nodes.len() {
                 let pin = self.nodes[index].pin;
-                self.tracer
-                    .level(now, crate::Signal::Tx(NodeId(index as u16)), pin);
+                self.tracer.level(now, crate::Signal::Tx(NodeId(index as u16)), pin);
             }
             self.tracer.level(now, crate::Signal::Bus, self.bus.level());
         }

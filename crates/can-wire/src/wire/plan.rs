@@ -46,10 +46,7 @@ impl Course {
                     return (until_switch, data.after + (bit - brs - 1) * data.bit());
                 }
                 let in_data = data.after + (delimiter - brs - 1) * data.bit() + data.before;
-                (
-                    until_switch + nominal.after + (bit - delimiter - 1) * nominal.bit(),
-                    in_data,
-                )
+                (until_switch + nominal.after + (bit - delimiter - 1) * nominal.bit(), in_data)
             }
             _ => (bit * nominal.bit(), 0),
         }
@@ -57,15 +54,11 @@ impl Course {
 
     pub(super) fn start(&self, sof: Fine, bit: u64) -> Fine {
         let (nominal, data) = self.quanta(bit);
-        sof.plus(nominal, self.nominal.quantum)
-            .plus(data, self.data.quantum)
+        sof.plus(nominal, self.nominal.quantum).plus(data, self.data.quantum)
     }
 
     pub(super) fn sample(&self, sof: Fine, bit: u64) -> Fine {
-        let fast = self
-            .layout
-            .brs
-            .is_some_and(|brs| bit > brs && bit <= self.layout.crc_delimiter);
+        let fast = self.layout.brs.is_some_and(|brs| bit > brs && bit <= self.layout.crc_delimiter);
         let segments = if fast { &self.data } else { &self.nominal };
         self.start(sof, bit).plus(segments.before, segments.quantum)
     }
@@ -110,18 +103,10 @@ pub(super) struct Plan {
 impl Plan {
     pub(super) fn empty() -> Plan {
         let segments = crate::bit_clock::BitClock::new(&NodeConfig::new()).nominal;
-        let layout = Layout {
-            res: None,
-            brs: None,
-            crc_delimiter: 0,
-        };
+        let layout = Layout { res: None, brs: None, crc_delimiter: 0 };
         Plan {
             frame: Frame::remote(can_frame::StandardId::ZERO, can_frame::Dlc::ZERO),
-            course: Course {
-                nominal: segments,
-                data: segments,
-                layout,
-            },
+            course: Course { nominal: segments, data: segments, layout },
             sender: 0,
             sof: Fine::default(),
             shift: 0,
@@ -179,15 +164,12 @@ impl Wire {
         let now = self.now;
         let node = &self.nodes[sender];
         let protocol = &node.protocol;
-        let starts = protocol.field == Field::Sof
-            && protocol.sending
-            && node.drive_at == Some(node.clock.start);
+        let starts = protocol.field == Field::Sof && protocol.sending && node.drive_at == Some(node.clock.start);
         let clean = protocol.mode == Mode::Normal
             && protocol.confinement.tec == 0
             && protocol.confinement.rec == 0
             && protocol.overload_requests == 0;
-        let undisturbed =
-            self.bit_faults.is_empty() && !self.tracer.bits && self.bus.is_quiet() && !node.cut;
+        let undisturbed = self.bit_faults.is_empty() && !self.tracer.bits && self.bus.is_quiet() && !node.cut;
         if !(starts && clean && undisturbed && is_quiet(node)) {
             return None;
         }
@@ -218,11 +200,7 @@ impl Wire {
         let tx_delay = ps(self.nodes[sender].config.tx_delay);
         // Outputs are rounded up to a picosecond, so an edge may come that much later than it should.
         let shortest = if plan.course.has_data_phase() {
-            plan.course
-                .nominal
-                .quantum
-                .0
-                .min(plan.course.data.quantum.0)
+            plan.course.nominal.quantum.0.min(plan.course.data.quantum.0)
         } else {
             plan.course.nominal.quantum.0
         };
@@ -233,12 +211,7 @@ impl Wire {
             }
             let node = &mut self.nodes[index];
             node.take_arrivals(now);
-            if node.cut
-                || !node.is_asleep()
-                || node.drive_at.is_some()
-                || node.has_arrivals()
-                || node.wake_armed
-            {
+            if node.cut || !node.is_asleep() || node.drive_at.is_some() || node.has_arrivals() || node.wake_armed {
                 return None;
             }
             if !is_quiet(node) {
@@ -249,31 +222,23 @@ impl Wire {
                 continue;
             }
             let counters_rest = protocol.confinement.rec == 0 || !protocol.mode.counts_errors();
-            let understands = !frame.is_fd()
-                || (protocol.options.fd == FdSupport::Fd && protocol.options.iso_crc == iso);
+            let understands =
+                !frame.is_fd() || (protocol.options.fd == FdSupport::Fd && protocol.options.iso_crc == iso);
             let same_timing = node.clock.clock == clock
                 && same_segments(&node.clock.nominal, &plan.course.nominal)
-                && (!plan.course.has_data_phase()
-                    || same_segments(&node.clock.data, &plan.course.data));
+                && (!plan.course.has_data_phase() || same_segments(&node.clock.data, &plan.course.data));
             let ready = node.clock.may_sync && node.rx && protocol.overload_requests == 0;
             if !(counters_rest && understands && same_timing && ready) {
                 return None;
             }
             let delay = tx_delay + ps(node.config.rx_delay);
             let sof = hard_sync(node, plan.sof.ceil() + delay);
-            let phase = plan
-                .sof
-                .plus(delay, Tick(Tick::PICOSECOND))
-                .checked_since(sof)?;
+            let phase = plan.sof.plus(delay, Tick(Tick::PICOSECOND)).checked_since(sof)?;
             if phase + u128::from(Tick::PICOSECOND) > u128::from(shortest) {
                 return None;
             }
             let acknowledges = matches!(protocol.mode, Mode::Normal | Mode::Restricted);
-            plan.receivers.push(Receiver {
-                index,
-                sof,
-                acknowledges,
-            });
+            plan.receivers.push(Receiver { index, sof, acknowledges });
         }
         Some(())
     }
@@ -282,11 +247,7 @@ impl Wire {
     fn acknowledgement(&self, sender: &NodeConfig, plan: &mut Plan) -> Option<()> {
         let slot = plan.ack_slot();
         let (mut falls, mut rises) = (u64::MAX, 0);
-        for receiver in plan
-            .receivers
-            .iter()
-            .filter(|receiver| receiver.acknowledges)
-        {
+        for receiver in plan.receivers.iter().filter(|receiver| receiver.acknowledges) {
             let delay = ps(self.nodes[receiver.index].config.tx_delay);
             falls = falls.min(plan.course.start(receiver.sof, slot).ceil() + delay);
             rises = rises.max(plan.course.start(receiver.sof, slot + 1).ceil() + delay);
@@ -334,12 +295,7 @@ impl Wire {
             let noise = self.nodes[index].faults.noise.as_ref();
             noise.is_none_or(|noise| noise.quiet_bits() >= bits)
         };
-        if !quiet(plan.sender, last)
-            || !plan
-                .receivers
-                .iter()
-                .all(|receiver| quiet(receiver.index, last - 1))
-        {
+        if !quiet(plan.sender, last) || !plan.receivers.iter().all(|receiver| quiet(receiver.index, last - 1)) {
             return None;
         }
         plan.end = end;
@@ -354,17 +310,10 @@ impl Wire {
         let (course, frame) = (&plan.course, plan.frame);
         let delimiter = course.layout.crc_delimiter;
         let mut push = |at: Fine, index: usize, kind| {
-            events.push(Event {
-                time: Time::from_ps(at.ceil()),
-                node: NodeId(index as u16),
-                kind,
-            });
+            events.push(Event { time: Time::from_ps(at.ceil()), node: NodeId(index as u16), kind });
         };
         let sof = course.sample(plan.sof, 0);
-        let res = course
-            .layout
-            .res
-            .map(|bit| Time::from_ps(course.sample(plan.sof, bit).ceil()));
+        let res = course.layout.res.map(|bit| Time::from_ps(course.sample(plan.sof, bit).ceil()));
         // In the order of time, and of the nodes where times are equal.
         let mut sender = Some((sof.ceil(), plan.sender));
         for receiver in &plan.receivers {
@@ -393,16 +342,9 @@ impl Wire {
         }
         for receiver in &plan.receivers {
             let sof = Time::from_ps(course.sample(receiver.sof, 0).ceil());
-            let res = course
-                .layout
-                .res
-                .map(|bit| Time::from_ps(course.sample(receiver.sof, bit).ceil()));
+            let res = course.layout.res.map(|bit| Time::from_ps(course.sample(receiver.sof, bit).ceil()));
             let valid = course.sample(receiver.sof, delimiter + EOF_VALID_FOR_RECEIVER);
-            push(
-                valid,
-                receiver.index,
-                EventKind::Received { frame, sof, res },
-            );
+            push(valid, receiver.index, EventKind::Received { frame, sof, res });
         }
         let sof = Time::from_ps(sof.ceil());
         push(
@@ -438,8 +380,7 @@ fn hard_sync(node: &Node, at: u64) -> Fine {
 fn check_own_bits(config: &NodeConfig, plan: &Plan) -> Option<()> {
     let margin = u128::from(Tick::PICOSECOND);
     let loop_delay = u128::from(ps(config.tx_delay) + ps(config.rx_delay)) * margin + margin;
-    let span =
-        |segments: &Segments, quanta: u64| u128::from(segments.quantum.0) * u128::from(quanta);
+    let span = |segments: &Segments, quanta: u64| u128::from(segments.quantum.0) * u128::from(quanta);
     let (nominal, data) = (&plan.course.nominal, &plan.course.data);
     if loop_delay > span(nominal, nominal.before) {
         return None;
@@ -448,11 +389,7 @@ fn check_own_bits(config: &NodeConfig, plan: &Plan) -> Option<()> {
         // Its last edge must have come back before the ACK slot begins; without compensation every bit before its own
         // sample point.
         let delimiter = span(data, data.before) + span(nominal, nominal.after);
-        let limit = if config.delay_compensation.is_some() {
-            delimiter
-        } else {
-            span(data, data.before)
-        };
+        let limit = if config.delay_compensation.is_some() { delimiter } else { span(data, data.before) };
         if loop_delay > limit {
             return None;
         }
@@ -463,8 +400,7 @@ fn check_own_bits(config: &NodeConfig, plan: &Plan) -> Option<()> {
 /// The compensated delay in clock periods, `Some(None)` without compensation; `None` if a secondary sample point would
 /// miss its bit.
 fn transmitter_delay(node: &Node, plan: &Plan) -> Option<Option<u64>> {
-    let (Some(compensation), Some(res)) = (node.config.delay_compensation, plan.course.layout.res)
-    else {
+    let (Some(compensation), Some(res)) = (node.config.delay_compensation, plan.course.layout.res) else {
         return Some(None);
     };
     let loop_delay = ps(node.config.tx_delay) + ps(node.config.rx_delay);
@@ -483,12 +419,10 @@ fn transmitter_delay(node: &Node, plan: &Plan) -> Option<Option<u64>> {
     };
     if plan.course.has_data_phase() {
         let margin = u128::from(Tick::PICOSECOND);
-        let point =
-            u128::from(compensation.secondary_sample_point(delay)) * u128::from(node.clock.clock.0);
+        let point = u128::from(compensation.secondary_sample_point(delay)) * u128::from(node.clock.clock.0);
         let earliest = u128::from(loop_delay) * margin + margin;
         let data = &plan.course.data;
-        let latest =
-            u128::from(data.quantum.0) * u128::from(data.bit()) + u128::from(loop_delay) * margin;
+        let latest = u128::from(data.quantum.0) * u128::from(data.bit()) + u128::from(loop_delay) * margin;
         if point < earliest || point + margin >= latest {
             return None;
         }

@@ -48,9 +48,7 @@ impl fmt::Display for RequestError {
             RequestError::NotBusOff { state } => {
                 write!(f, "the node is {state}, there is nothing to recover from")
             }
-            RequestError::NoFd => {
-                f.write_str("an FD frame for a node that knows only classic frames")
-            }
+            RequestError::NoFd => f.write_str("an FD frame for a node that knows only classic frames"),
             RequestError::NotOff { mode } => write!(f, "the node is in mode {mode:?}, not off"),
             RequestError::Timing(error) => error.fmt(f),
         }
@@ -78,16 +76,8 @@ pub enum Abort {
 }
 
 impl Wire {
-    fn context<'a>(
-        now: u64,
-        node: NodeId,
-        events: &'a mut std::collections::VecDeque<Event>,
-    ) -> Context<'a> {
-        Context {
-            now: Time::from_ps(now),
-            node,
-            events,
-        }
+    fn context<'a>(now: u64, node: NodeId, events: &'a mut std::collections::VecDeque<Event>) -> Context<'a> {
+        Context { now: Time::from_ps(now), node, events }
     }
 
     /// Requests that `frame` is sent at the next opportunity. Until its start of frame it may be replaced by another
@@ -140,19 +130,11 @@ impl Wire {
         self.settle();
         let protocol = &mut self.nodes[node.index()].protocol;
         if let Some(frame) = protocol.request.take() {
-            self.events.push_back(Event {
-                time: Time::from_ps(self.now),
-                node,
-                kind: EventKind::Aborted { frame },
-            });
+            self.events.push_back(Event { time: Time::from_ps(self.now), node, kind: EventKind::Aborted { frame } });
             self.after_step(node.index());
             return Abort::Dropped(frame);
         }
-        if protocol.sending {
-            Abort::OnTheBus(protocol.outgoing)
-        } else {
-            Abort::Nothing
-        }
+        if protocol.sending { Abort::OnTheBus(protocol.outgoing) } else { Abort::Nothing }
     }
 
     /// The frame that is requested and has not started.
@@ -170,9 +152,7 @@ impl Wire {
         state.take_arrivals(self.now);
         let was_off = state.protocol.mode == Mode::Off;
         state.prepare_request(at);
-        state
-            .protocol
-            .set_mode(mode, &mut Self::context(self.now, node, &mut self.events));
+        state.protocol.set_mode(mode, &mut Self::context(self.now, node, &mut self.events));
         if was_off {
             state.restart(at);
         }
@@ -183,10 +163,7 @@ impl Wire {
     /// Changes the operating mode as soon as the bus is idle: after the frame, its error frame and the intermission. A
     /// node that is off or bus off changes at once.
     pub fn set_mode_at_idle(&mut self, node: NodeId, mode: Mode) {
-        if matches!(
-            self.nodes[node.index()].protocol.field,
-            Field::Off | Field::BusOff
-        ) {
+        if matches!(self.nodes[node.index()].protocol.field, Field::Off | Field::BusOff) {
             return self.set_mode(node, mode);
         }
         self.settle();
@@ -194,9 +171,7 @@ impl Wire {
         let state = &mut self.nodes[node.index()];
         state.take_arrivals(self.now);
         state.prepare_request(at);
-        state
-            .protocol
-            .set_mode_at_idle(mode, &mut Self::context(self.now, node, &mut self.events));
+        state.protocol.set_mode_at_idle(mode, &mut Self::context(self.now, node, &mut self.events));
         self.after_step(node.index());
     }
 
@@ -210,9 +185,7 @@ impl Wire {
         let at = Time::from_ps(self.now);
         let state = &mut self.nodes[node.index()];
         if state.protocol.confinement.state != ErrorState::BusOff {
-            return Err(RequestError::NotBusOff {
-                state: state.protocol.confinement.state,
-            });
+            return Err(RequestError::NotBusOff { state: state.protocol.confinement.state });
         }
         if state.protocol.mode == Mode::Off {
             return Err(RequestError::CannotSend { mode: Mode::Off });
@@ -255,9 +228,7 @@ impl Wire {
         config.check()?;
         let state = &mut self.nodes[node.index()];
         if state.protocol.mode != Mode::Off {
-            return Err(RequestError::NotOff {
-                mode: state.protocol.mode,
-            });
+            return Err(RequestError::NotOff { mode: state.protocol.mode });
         }
         state.take_arrivals(self.now);
         state.protocol.options = Options::from(&config);

@@ -2,8 +2,8 @@
 #![allow(dead_code, clippy::unwrap_used)]
 
 use can_wire::{
-    BitFault, Disturbance, ErrorKind, ErrorState, Event, EventKind, Fault, Field, Frames, Line,
-    NodeConfig, NodeId, Position, Time, Wire,
+    BitFault, Disturbance, ErrorKind, ErrorState, Event, EventKind, Fault, Field, Frames, Line, NodeConfig, NodeId,
+    Position, Time, Wire,
 };
 
 use super::{bench_of, frame, run};
@@ -32,12 +32,7 @@ pub const CLEAN_CRC_BIT: u16 = 9;
 
 pub fn flip_seen(wire: &mut Wire, node: NodeId, field: Field, bit: u16) {
     let position = Position::new(field, bit);
-    wire.inject(Fault::Bit {
-        node,
-        fault: BitFault::InvertSeen,
-        position,
-        frames: Frames::next(),
-    });
+    wire.inject(Fault::Bit { node, fault: BitFault::InvertSeen, position, frames: Frames::next() });
 }
 
 pub fn errors(events: &[Event], node: NodeId) -> Vec<(ErrorKind, Position)> {
@@ -73,32 +68,17 @@ pub fn states(events: &[Event], node: NodeId) -> Vec<ErrorState> {
 
 /// Holds a line for some bits, starting in the middle of the bit that begins `at` bits after now.
 pub fn hold(wire: &mut Wire, line: Line, how: Disturbance, from: Time, until: Time) {
-    wire.inject(Fault::Disturb {
-        line,
-        how,
-        from,
-        until,
-    });
+    wire.inject(Fault::Disturb { line, how, from, until });
 }
 
 /// Time at which a node samples a bit of a frame that node `sender` starts next, found in a run that is thrown away.
-pub fn sample_time(
-    build: impl Fn() -> (Wire, NodeId),
-    text: &str,
-    of: NodeId,
-    position: Position,
-) -> Time {
+pub fn sample_time(build: impl Fn() -> (Wire, NodeId), text: &str, of: NodeId, position: Position) -> Time {
     let (mut wire, sender) = build();
     let trace = super::record(&mut wire);
     wire.send(sender, frame(text)).unwrap();
     run(&mut wire, Time::from_us(200));
     let trace = trace.lock().unwrap();
-    trace
-        .bits
-        .iter()
-        .find(|bit| bit.node == of && bit.position == position)
-        .unwrap()
-        .sample
+    trace.bits.iter().find(|bit| bit.node == of && bit.position == position).unwrap().sample
 }
 
 /// Enough to cover a sample point from both sides.

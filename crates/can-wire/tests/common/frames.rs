@@ -39,28 +39,17 @@ pub fn any_data(random: &mut Random) -> [u8; 64] {
 }
 
 pub fn any_classic(random: &mut Random) -> Frame {
-    let format = if random.below(4) == 0 {
-        Format::Remote
-    } else {
-        Format::Data
-    };
+    let format = if random.below(4) == 0 { Format::Remote } else { Format::Data };
     let dlc = Dlc::new(random.below(16) as u8).unwrap();
     Frame::from_fields(any_id(random), format, dlc, &any_data(random))
 }
 
 pub fn any_fd(random: &mut Random) -> Frame {
-    let format = Format::Fd(FdFlags {
-        brs: random.coin(),
-        esi: random.below(4) == 0,
-    });
+    let format = Format::Fd(FdFlags { brs: random.coin(), esi: random.below(4) == 0 });
     let dlc = Dlc::new(random.below(16) as u8).unwrap();
     Frame::from_fields(any_id(random), format, dlc, &any_data(random))
 }
 
 pub fn any_frame(random: &mut Random) -> Frame {
-    if random.coin() {
-        any_classic(random)
-    } else {
-        any_fd(random)
-    }
+    if random.coin() { any_classic(random) } else { any_fd(random) }
 }

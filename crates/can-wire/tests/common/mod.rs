@@ -7,25 +7,16 @@ pub mod frames;
 use std::sync::{Arc, Mutex};
 
 use can_frame::Frame;
-use can_wire::{
-    BitRecord, Event, EventKind, Level, Mode, NodeConfig, NodeId, Signal, Time, TraceSink, Wire,
-};
+use can_wire::{BitRecord, Event, EventKind, Level, Mode, NodeConfig, NodeId, Signal, Time, TraceSink, Wire};
 
 /// A wire with nodes in normal mode that have finished bus integration.
 pub fn bench(configs: &[NodeConfig]) -> (Wire, Vec<NodeId>) {
     let mut wire = Wire::new();
-    let nodes: Vec<NodeId> = configs
-        .iter()
-        .map(|config| wire.add_node(*config).unwrap())
-        .collect();
+    let nodes: Vec<NodeId> = configs.iter().map(|config| wire.add_node(*config).unwrap()).collect();
     for node in &nodes {
         wire.set_mode(*node, Mode::Normal);
     }
-    let slowest = configs
-        .iter()
-        .map(NodeConfig::nominal_bit)
-        .max()
-        .unwrap_or_default();
+    let slowest = configs.iter().map(NodeConfig::nominal_bit).max().unwrap_or_default();
     let until = wire.now() + slowest * 14;
     wire.run_until(until, |_, _| {});
     (wire, nodes)

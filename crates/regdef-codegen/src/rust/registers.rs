@@ -1,5 +1,7 @@
 //! Value types of registers.
 
+use std::ops::Range;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 use regdef::model::{Field, Model, Neutral, NoModify, Register, RegisterId, Target, WriteEffect};
@@ -7,12 +9,8 @@ use regdef::model::{Field, Model, Neutral, NoModify, Register, RegisterId, Targe
 use super::{doc, fields, hex, ident, literal};
 use crate::text;
 
-pub(super) fn module(model: &Model) -> TokenStream {
-    let values = model.registers.iter().enumerate().map(|(index, register)| {
-        let value = value_type(model, RegisterId(index), register);
-        let capabilities = capabilities(model, register);
-        quote!(#value #capabilities)
-    });
+/// What stands above the values.
+pub(super) fn head(model: &Model) -> TokenStream {
     let head = doc::inner(&format!(
         "Values of the registers of {}.\n\nEach type is a transparent copy of the register's word. The accessors of the \
          peripheral hand out [`Reg`](regbus::Reg)s of them.",
@@ -22,8 +20,18 @@ pub(super) fn module(model: &Model) -> TokenStream {
         #head
         #[allow(unused_imports, reason = "not every block has fields with read effects")]
         use regbus::meta::{Access, Field, ReadEffect};
-        #(#values)*
     }
+}
+
+/// The values of some of the registers.
+pub(super) fn values(model: &Model, range: Range<usize>) -> TokenStream {
+    let values = range.map(|index| {
+        let register = &model.registers[index];
+        let value = value_type(model, RegisterId(index), register);
+        let capabilities = capabilities(model, register);
+        quote!(#value #capabilities)
+    });
+    quote!(#(#values)*)
 }
 
 /// The value type: docs, struct, common part, fields.
