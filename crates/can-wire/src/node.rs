@@ -1,0 +1,452 @@
+//! One node: protocol engine, bit-timing unit and pins.
+
+use std::collections::VecDeque;
+
+use crate::{
+    BitRecord, DelaySource, EventKind, FdSupport, Field, Level, Mode, NodeConfig, Position, Time,
+    bit_clock::{BitClock, Effect},
+    fault::NodeFaults,
+    protocol::{Context, Options, Protocol},
+    time::Fine,
+};
+
+/// A change of the bus on its way to a node's input.
+#[derive(Clone, Copy, Debug)]
+struct Arrival {
+    at: u64,
+    level: bool,
+}
+
+/// A bit whose secondary sample point is ahead.
+#[derive(Clone, Copy, Debug)]
+struct Late {
+    at: Fine,
+    level: bool,
+    position: Position,
+}
+
+/// What a node wants the bus to do after a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Output {
+    None,
+    /// The transmit output changes now.
+    Pin(bool),
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    pub(crate) config: NodeConfig,
+    pub(crate) protocol: Protocol,
+    pub(crate) clock: BitClock,
+    /// Level of the transmit output, recessive while the mode keeps it so.
+    pub(crate) pin: bool,
+    /// Level that the bit-stream wants on the output since the last boundary; looped back in some modes.
+    pub(crate) driven: bool,
+    /// When the output follows the next bit of the engine.
+    pub(crate) drive_at: Option<Fine>,
+    /// Level at the receive input.
+    pub(crate) rx: bool,
+    /// Level of the bus at the receive input before faults.
+    raw_rx: bool,
+    arrivals: VecDeque<Arrival>,
+    late: VecDeque<Late>,
+    late_error: Option<(Position, Level)>,
+    /// Transmitter delay measurement: when the output fell, until the input has followed.
+    measuring: Option<Fine>,
+    /// Delay from output to input in clock periods, measured in the current frame.
+    delay: Option<u64>,
+    /// A dominant edge that counts only once it has lasted two quanta.
+    filtered_edge: Option<Time>,
+    pub(crate) faults: NodeFaults,
+    /// The first dominant edge while the node is off is reported.
+    pub(crate) wake_armed: bool,
+    pub(crate) woken: Option<Time>,
+    /// An edge has woken an idle node: it samples the bit that the edge began.
+    awake: bool,
+    /// Cut off from the bus in both directions.
+    pub(crate) cut: bool,
+    /// Every arrival is an event of its own, so that a trace gets it in time.
+    pub(crate) eager: bool,
+    /// Level of the input that the trace has been told.
+    pub(crate) traced_rx: bool,
+}
+
+const NEVER: u64 = u64::MAX;
+
+impl Node {
+    pub(crate) fn new(config: NodeConfig) -> Node {
+        Node {
+            protocol: Protocol::new(Options::from(&config)),
+            clock: BitClock::new(&config),
+            config,
+            pin: true,
+            driven: true,
+            drive_at: None,
+            rx: true,
+            raw_rx: true,
+            arrivals: VecDeque::new(),
+            late: VecDeque::new(),
+            late_error: None,
+            measuring: None,
+            delay: None,
+            filtered_edge: None,
+            faults: NodeFaults::default(),
+            wake_armed: false,
+            woken: None,
+            awake: false,
+            cut: false,
+            eager: false,
+            traced_rx: true,
+        }
+    }
+
+    /// The key of the node's next event: picoseconds times two, plus one for sample points, so that at equal times all
+    /// outputs have changed before anyone samples.
+    #[inline]
+    pub(crate) fn next_key(&self) -> u64 {
+        let mut key = NEVER;
+        if self.is_active() {
+            key = self.clock.next_sample.ceil() << 1 | 1;
+            if let Some(late) = self.late.front() {
+                key = key.min(late.at.ceil() << 1 | 1);
+            }
+        }
+        if let Some(at) = self.drive_at {
+            key = key.min(at.ceil() << 1);
+        }
+        if let Some(at) = self.arrivals.front().map(|arrival| arrival.at)
+            && (self.eager || self.watches_edges())
+        {
+            key = key.min(at << 1);
+        }
+        key
+    }
+
+    fn is_active(&self) -> bool {
+        self.awake || !self.protocol.is_sleeping()
+    }
+
+    fn watches_edges(&self) -> bool {
+        self.clock.may_sync
+            || self.measuring.is_some()
+            || self.wake_armed
+            || self.filtered_edge.is_some()
+    }
+
+    /// The level the node sees: its input, with what the mode loops back.
+    #[inline]
+    fn seen(&self) -> bool {
+        match self.protocol.mode {
+            Mode::ListenOnly => self.rx && self.driven,
+            _ => self.rx,
+        }
+    }
+
+    pub(crate) fn hears_itself(&self) -> bool {
+        self.protocol.mode.is_loopback()
+    }
+
+    /// The bus changes at the node's input at `at`, now or later.
+    #[inline]
+    pub(crate) fn bus_changed(&mut self, at: u64, level: bool, now: u64) {
+        self.take_arrivals(now);
+        if at == now {
+            self.input(Time::from_ps(at), level);
+        } else {
+            self.arrivals.push_back(Arrival { at, level });
+        }
+    }
+
+    /// Takes in every arrival up to `now`.
+    #[inline]
+    pub(crate) fn take_arrivals(&mut self, now: u64) {
+        while let Some(arrival) = self
+            .arrivals
+            .front()
+            .copied()
+            .filter(|arrival| arrival.at <= now)
+        {
+            self.arrivals.pop_front();
+            self.input(Time::from_ps(arrival.at), arrival.level);
+        }
+    }
+
+    fn input(&mut self, at: Time, level: bool) {
+        self.raw_rx = level;
+        self.apply_input(at);
+    }
+
+    /// Sets the input from the bus, the node's own output in loop back, and the faults that act on it.
+    pub(crate) fn apply_input(&mut self, at: Time) {
+        let level = if self.hears_itself() {
+            self.driven
+        } else {
+            self.faults.received(self.raw_rx || self.cut)
+        };
+        if level == self.rx {
+            return;
+        }
+        self.rx = level;
+        if level {
+            if let Some(since) = self.filtered_edge.take() {
+                self.filter(since, at);
+            }
+        } else {
+            self.dominant_edge(at);
+        }
+    }
+
+    fn dominant_edge(&mut self, at: Time) {
+        if let Some(fell) = self.measuring {
+            self.measure(fell, at);
+        }
+        if self.protocol.field == Field::Off {
+            if core::mem::take(&mut self.wake_armed) {
+                self.woken = Some(at);
+            }
+            return;
+        }
+        if !self.clock.may_sync {
+            return;
+        }
+        if self.protocol.field == Field::Integration && self.config.edge_filter {
+            self.filtered_edge = Some(at);
+            return;
+        }
+        if self.protocol.is_sleeping() && self.protocol.field == Field::Idle {
+            self.clock.catch_up(at);
+        }
+        self.synchronize(at);
+    }
+
+    fn synchronize(&mut self, at: Time) {
+        let before_sample = Fine::from_time(at) >= self.clock.start;
+        let sync = self.protocol.sync(before_sample);
+        if self.protocol.options.fd != FdSupport::Classic {
+            self.protocol.edge_while_integrating();
+        }
+        let output_pending = self.drive_at.is_some();
+        if let Effect::Moved { output_from } =
+            self.clock.edge(at, sync, !self.driven && before_sample)
+            && output_pending
+            && !before_sample
+        {
+            self.drive_at = Some(output_from);
+        }
+        self.awake |= self.protocol.field == Field::Idle;
+    }
+
+    /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, in whole clock periods.
+    fn measure(&mut self, fell: Fine, at: Time) {
+        let Some(compensation) = self.config.delay_compensation else {
+            return;
+        };
+        let at = Fine::from_time(at);
+        let mut delay = at.ticks_since(fell, self.clock.clock);
+        delay += u64::from(at.rest_since(fell, self.clock.clock) > 0);
+        if let DelaySource::Measured { filter } = compensation.delay
+            && compensation.secondary_sample_point(delay) < u64::from(filter)
+        {
+            return;
+        }
+        self.measuring = None;
+        self.delay = Some(delay);
+    }
+
+    /// An output change that is due at `now`.
+    pub(crate) fn drive(&mut self, now: u64) -> Output {
+        if self.drive_at.is_none_or(|at| at.ceil() > now) {
+            return Output::None;
+        }
+        let at = self.drive_at.take();
+        self.driven = self.protocol.drive;
+        self.faults.next_bit();
+        if !self.driven && self.starts_measurement() {
+            self.measuring = at;
+            self.delay = None;
+        }
+        if self.hears_itself() {
+            self.apply_input(Time::from_ps(now));
+        }
+        self.pin_output()
+    }
+
+    /// Recomputes the output from the engine, the mode and the faults.
+    pub(crate) fn pin_output(&mut self) -> Output {
+        let open = match self.protocol.mode {
+            Mode::Off | Mode::ListenOnly | Mode::InternalLoopback => false,
+            Mode::Normal | Mode::Restricted | Mode::ExternalLoopback => true,
+        };
+        let level = self.faults.driven(self.driven || !open);
+        if level == self.pin {
+            return Output::None;
+        }
+        self.pin = level;
+        Output::Pin(level)
+    }
+
+    fn starts_measurement(&self) -> bool {
+        self.protocol.sending
+            && self.protocol.field == Field::Res
+            && self.protocol.incoming.fd
+            && matches!(
+                self.config.delay_compensation,
+                Some(crate::DelayCompensation {
+                    delay: DelaySource::Measured { .. },
+                    ..
+                })
+            )
+    }
+
+    /// The sample point, or a secondary one, that is due at `now`. Returns the record of the bit if one was sampled.
+    pub(crate) fn sample(&mut self, now: u64, cx: &mut Context<'_>) -> Option<BitRecord> {
+        while let Some(late) = self
+            .late
+            .front()
+            .copied()
+            .filter(|late| late.at.ceil() <= now)
+        {
+            self.late.pop_front();
+            if self.rx != late.level && self.late_error.is_none() {
+                self.late_error = Some((late.position, Level::from_bit(late.level)));
+            }
+        }
+        if !self.is_active() || self.clock.next_sample.ceil() > now {
+            return None;
+        }
+        if let Some(since) = self.filtered_edge.take() {
+            self.filter(since, Time::from_ps(now));
+            if self.clock.next_sample.ceil() > now {
+                return None;
+            }
+        }
+        let position = self.protocol.position();
+        let (start, sample, role) = (self.clock.start, self.clock.next_sample, self.protocol.role);
+        let driven = self.protocol.drive;
+        let pin_level = self.seen();
+        let compensated =
+            self.config.delay_compensation.is_some() && self.protocol.relies_on_own_bits();
+        let noisy = self.protocol.field != Field::Idle;
+        let hit = self.faults.hits_sample(noisy);
+        let level = if compensated { driven } else { pin_level ^ hit };
+        let faulty = hit || self.faults.drives_wrong();
+        let late = self.late_error.take();
+        self.awake = false;
+        self.protocol.sample(level, late, cx);
+        self.clock.sampled(level, self.protocol.data_phase);
+        self.schedule_drive();
+        if self.config.delay_compensation.is_some() {
+            self.prepare_late_sample(position, cx);
+        }
+        // A receiver knows only now that this bit was a start of frame.
+        let started = self.protocol.field == Field::BaseId
+            && self.protocol.bit == 0
+            && !self.protocol.stuff_next;
+        let position = if started {
+            Position::new(Field::Sof, 0)
+        } else {
+            position
+        };
+        Some(BitRecord {
+            node: cx.node,
+            start: Time::from_ps(start.ceil()),
+            sample: Time::from_ps(sample.ceil()),
+            position,
+            role,
+            driven: Level::from_bit(driven),
+            seen: Level::from_bit(level),
+            faulty,
+        })
+    }
+
+    /// The output follows the engine at the next bit boundary, if anything changes there.
+    pub(crate) fn schedule_drive(&mut self) {
+        let changes = self.protocol.drive != self.driven || self.faults.drive_changes();
+        self.drive_at = changes.then_some(self.clock.start);
+    }
+
+    /// Bits of the data phase are compared at their secondary sample points.
+    fn prepare_late_sample(&mut self, sampled: Position, cx: &mut Context<'_>) {
+        let Some(compensation) = self.config.delay_compensation else {
+            return;
+        };
+        let delay = match compensation.delay {
+            DelaySource::Fixed(delay) => u64::from(delay),
+            // An edge that has not come back yet is beyond every limit.
+            DelaySource::Measured { .. } => self.delay.unwrap_or(u64::from(u16::MAX)),
+        };
+        let secondary = compensation.secondary_sample_point(delay);
+        if sampled.field == Field::Brs && !sampled.stuff && self.protocol.sending {
+            self.measuring = None;
+            cx.emit(EventKind::TransmitterDelay {
+                delay: delay.min(u64::from(u16::MAX)) as u16,
+                secondary_sample_point: secondary as u16,
+            });
+        }
+        if !self.protocol.relies_on_own_bits() {
+            self.late.clear();
+        } else if self.protocol.field != Field::CrcDelimiter || self.protocol.stuff_next {
+            self.late.push_back(Late {
+                at: self.clock.start.plus(secondary, self.clock.clock),
+                level: self.protocol.drive,
+                position: self.protocol.position(),
+            });
+        }
+    }
+
+    /// An edge during bus integration that has to last two time quanta to count.
+    fn filter(&mut self, since: Time, now: Time) {
+        let quantum = self.clock.nominal.quantum;
+        let lasted = Fine::from_time(now).ticks_since(Fine::from_time(since), quantum);
+        if lasted >= 2 && self.clock.may_sync {
+            self.synchronize(since);
+        }
+    }
+
+    /// The node begins to count bits at `now`: it was switched on, or recovers from bus off.
+    pub(crate) fn restart(&mut self, now: Time) {
+        self.clock.restart(now);
+        self.awake = false;
+        self.late.clear();
+        self.late_error = None;
+        self.measuring = None;
+        self.filtered_edge = None;
+    }
+
+    /// The output follows the engine at once, not at a bit boundary: the mode has changed.
+    pub(crate) fn follow_engine(&mut self, now: Time) -> Output {
+        self.driven = self.protocol.drive;
+        self.drive_at = None;
+        self.apply_input(now);
+        self.pin_output()
+    }
+
+    /// Brings a sleeping node's bit grid up to date before a request wakes it.
+    pub(crate) fn prepare_request(&mut self, now: Time) {
+        if self.protocol.field == Field::Idle && !self.is_active() {
+            self.clock.catch_up(now);
+        }
+    }
+
+    pub(crate) fn has_arrivals(&self) -> bool {
+        !self.arrivals.is_empty()
+    }
+
+    pub(crate) fn is_asleep(&self) -> bool {
+        !self.is_active()
+    }
+
+    /// The end of a frame that was stepped over: the next bit is the last one of the intermission and begins at
+    /// `start`. `bits` were sampled while the bus was not idle.
+    pub(crate) fn finish_frame(&mut self, start: Fine, bits: u64, delay: Option<u64>) {
+        self.clock.jump_to(start);
+        self.delay = delay;
+        if let Some(noise) = &mut self.faults.noise {
+            noise.skip(bits);
+        }
+        self.driven = true;
+        self.pin = true;
+        self.drive_at = None;
+        self.awake = false;
+    }
+}

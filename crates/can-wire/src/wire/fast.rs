@@ -1,0 +1,217 @@
+//! Stepping over frames whose course is certain: delivering what was worked out, and setting the nodes to the end.
+//!
+//! Nothing of a node changes while a plan is being carried out. If a request comes that the plan has not foreseen, it
+//! is dropped and the bits up to the present are worked out one by one.
+
+use super::{Statistics, Wire, plan::Plan};
+use crate::{NodeId, Signal, Time, encode::encode, protocol::Incoming};
+
+pub(super) struct FastPath {
+    allowed: bool,
+    planned: bool,
+    /// Kept between frames for its allocations.
+    plan: Plan,
+    pub(super) statistics: Statistics,
+}
+
+impl Default for FastPath {
+    fn default() -> FastPath {
+        FastPath {
+            allowed: true,
+            planned: false,
+            plan: Plan::empty(),
+            statistics: Statistics::default(),
+        }
+    }
+}
+
+impl FastPath {
+    #[inline]
+    pub(super) fn is_enabled(&self) -> bool {
+        self.allowed
+    }
+
+    pub(super) fn set_allowed(&mut self, allowed: bool) {
+        self.allowed = allowed;
+    }
+
+    #[inline]
+    pub(super) fn is_planned(&self) -> bool {
+        self.planned
+    }
+
+    /// True once every receiver of the planned frame has sampled its start. Before, a request could still put another
+    /// node into the arbitration.
+    pub(super) fn has_started(&self) -> bool {
+        self.plan.delivered > self.plan.receivers.len()
+    }
+
+    /// A frame that is requested while another is on the bus only matters when the bus is idle again.
+    pub(super) fn note_request(&mut self, now: u64, node: NodeId, frame: can_frame::Frame) {
+        self.plan.requests.push((now, node, frame));
+    }
+}
+
+impl Wire {
+    /// Tries to work out the frame that node `index` starts now. Returns true if a plan is in force.
+    pub(super) fn plan_frame(&mut self, index: usize) -> bool {
+        if !self.nodes[index].protocol.sending {
+            return false;
+        }
+        let mut plan = core::mem::replace(&mut self.fast.plan, Plan::empty());
+        self.fast.planned = self.work_out(index, &mut plan).is_some();
+        self.fast.plan = plan;
+        self.fast.planned
+    }
+
+    /// Delivers the next event of the plan, or ends it.
+    pub(super) fn advance_plan(&mut self, limit: u64) -> bool {
+        let plan = &mut self.fast.plan;
+        if let Some(event) = plan.events.get(plan.delivered) {
+            if event.time.as_ps() > limit {
+                return false;
+            }
+            self.now = self.now.max(event.time.as_ps());
+            self.events.push_back(*event);
+            plan.delivered += 1;
+            return true;
+        }
+        if plan.end > limit {
+            return false;
+        }
+        self.finish_plan();
+        true
+    }
+
+    fn finish_plan(&mut self) {
+        let plan = core::mem::replace(&mut self.fast.plan, Plan::empty());
+        if self.tracer.levels {
+            self.trace_plan(&plan);
+        }
+        self.now = self.now.max(plan.end);
+        let last = plan.last_intermission_bit();
+        let incoming = Incoming::of(&plan.frame);
+        let time = |sof, bit| Time::from_ps(plan.course.sample(sof, bit).ceil());
+        let res_time = |sof| plan.course.layout.res.map(|bit| time(sof, bit));
+        let sender = &mut self.nodes[plan.sender];
+        sender
+            .protocol
+            .finish_frame(true, &incoming, time(plan.sof, 0), res_time(plan.sof));
+        sender.finish_frame(plan.sender_start(last), last, plan.delay);
+        self.after_step(plan.sender);
+        for receiver in &plan.receivers {
+            let sof = receiver.sof;
+            let node = &mut self.nodes[receiver.index];
+            node.protocol
+                .finish_frame(false, &incoming, time(sof, 0), res_time(sof));
+            // Noise has not met SOF, which a receiver samples while it is idle.
+            node.finish_frame(plan.course.start(sof, last), last - 1, None);
+            self.after_step(receiver.index);
+        }
+        self.fast.statistics.frames_skipped += 1;
+        self.fast.planned = false;
+        self.fast.plan = plan;
+    }
+
+    /// Drops a plan that is in force and works out the present bit by bit.
+    #[inline]
+    pub(super) fn settle(&mut self) {
+        if self.fast.planned {
+            self.undo_plan();
+        }
+    }
+
+    #[cold]
+    fn undo_plan(&mut self) {
+        self.fast.planned = false;
+        self.fast.statistics.skips_undone += 1;
+        let present = self.now;
+        let delivered = self.fast.plan.delivered;
+        let requests = core::mem::take(&mut self.fast.plan.requests);
+        for (_, node, _) in &requests {
+            self.nodes[node.index()].protocol.request = None;
+            self.after_step(node.index());
+        }
+        // The plan began where the transmitter was about to drive its SOF.
+        self.now = self.nodes[self.fast.plan.sender].clock.start.ceil();
+        let allowed = core::mem::replace(&mut self.fast.allowed, false);
+        let waiting = core::mem::take(&mut self.events);
+        let mut requests = requests.into_iter().peekable();
+        while let Some(time) = self.next_time() {
+            if time > present || (time == present && self.events.len() >= delivered) {
+                break;
+            }
+            while let Some((_, node, frame)) = requests.next_if(|(at, _, _)| *at < time) {
+                self.place_request(node, frame);
+            }
+            self.advance(present);
+        }
+        for (_, node, frame) in requests {
+            self.place_request(node, frame);
+        }
+        // What the caller has had, or is about to get from the queue, is not told again.
+        let told = delivered.min(self.events.len());
+        self.events.drain(..told);
+        let fresh = core::mem::replace(&mut self.events, waiting);
+        self.events.extend(fresh);
+        self.fast.allowed = allowed;
+        self.now = present;
+    }
+
+    /// The level changes of a frame that is stepped over.
+    fn trace_plan(&mut self, plan: &Plan) {
+        let mut changes: Vec<(u64, Signal, bool)> = Vec::new();
+        let tx_delay = self.nodes[plan.sender].config.tx_delay.as_ps();
+        let mut bus: Vec<(u64, bool)> = Vec::new();
+        let iso = self.nodes[plan.sender].protocol.options.iso_crc;
+        let mut level = true;
+        for (index, bit) in encode(&plan.frame, iso).iter().enumerate() {
+            if bit.bit != level {
+                level = bit.bit;
+                let at = plan.course.start(plan.sof, index as u64).ceil();
+                changes.push((at, Signal::Tx(NodeId(plan.sender as u16)), level));
+                bus.push((at + tx_delay, level));
+            }
+        }
+        if !level {
+            let at = plan
+                .course
+                .start(plan.sof, plan.course.layout.crc_delimiter)
+                .ceil();
+            changes.push((at, Signal::Tx(NodeId(plan.sender as u16)), true));
+            bus.push((at + tx_delay, true));
+        }
+        let slot = plan.ack_slot();
+        let (mut falls, mut rises) = (u64::MAX, 0);
+        for receiver in plan
+            .receivers
+            .iter()
+            .filter(|receiver| receiver.acknowledges)
+        {
+            let start = plan.course.start(receiver.sof, slot).ceil();
+            let end = plan.course.start(receiver.sof, slot + 1).ceil();
+            let signal = Signal::Tx(NodeId(receiver.index as u16));
+            changes.extend([(start, signal, false), (end, signal, true)]);
+            let delay = self.nodes[receiver.index].config.tx_delay.as_ps();
+            falls = falls.min(start + delay);
+            rises = rises.max(end + delay);
+        }
+        bus.extend([(falls, false), (rises, true)]);
+        for (at, level) in bus {
+            changes.push((at, Signal::Bus, level));
+            for (index, node) in self
+                .nodes
+                .iter()
+                .enumerate()
+                .filter(|(_, node)| !node.hears_itself())
+            {
+                let delay = node.config.rx_delay.as_ps();
+                changes.push((at + delay, Signal::Rx(NodeId(index as u16)), level));
+            }
+        }
+        changes.sort_by_key(|(at, _, _)| *at);
+        for (at, signal, level) in changes {
+            self.tracer.level(at, signal, level);
+        }
+    }
+}

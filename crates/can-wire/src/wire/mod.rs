@@ -1,0 +1,315 @@
+//! The bus with its nodes, and the order in which things happen on it.
+
+mod fast;
+mod faults;
+mod observe;
+mod plan;
+mod requests;
+
+use std::collections::VecDeque;
+
+use crate::{
+    Event, EventKind, NodeConfig, NodeId, Signal, Time, TimingError,
+    bus::Bus,
+    fault::{BitFaultAt, Fault, Timed},
+    node::{Node, Output},
+    protocol::Context,
+    schedule::Schedule,
+    trace::Tracer,
+};
+
+pub use requests::{Abort, RequestError};
+
+/// A CAN bus with its nodes.
+///
+/// Time advances in [`Wire::next_event`] only. Between two calls the caller may place requests; they take effect at
+/// [`Wire::now`].
+///
+/// ```
+/// use can_frame::Frame;
+/// use can_wire::{EventKind, Mode, NodeConfig, Time, Wire};
+///
+/// let mut wire = Wire::new();
+/// let a = wire.add_node(NodeConfig::new())?;
+/// let b = wire.add_node(NodeConfig::new())?;
+/// wire.set_mode(a, Mode::Normal);
+/// wire.set_mode(b, Mode::Normal);
+/// let frame: Frame = "123#DEADBEEF".parse()?;
+/// wire.send(a, frame)?;
+///
+/// let mut received = None;
+/// while let Some(event) = wire.next_event(Time::from_ms(1)) {
+///     if let EventKind::Received { frame, .. } = event.kind {
+///         received = Some((event.node, frame));
+///     }
+/// }
+/// assert_eq!(received, Some((b, frame)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Wire {
+    now: u64,
+    nodes: Vec<Node>,
+    bus: Bus,
+    schedule: Schedule,
+    events: VecDeque<Event>,
+    tracer: Tracer,
+    bit_faults: Vec<BitFaultAt>,
+    timed: Vec<Timed>,
+    injected: Vec<Fault>,
+    fast: fast::FastPath,
+}
+
+/// What the engine has done, to tell how much of a run took the short cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Statistics {
+    /// Steps of single nodes: outputs changed, edges taken in, bits sampled.
+    pub steps: u64,
+    /// Frames that were stepped over as a whole.
+    pub frames_skipped: u64,
+    /// Short cuts that were begun and then taken back, because a request came in between.
+    pub skips_undone: u64,
+}
+
+impl Default for Wire {
+    fn default() -> Wire {
+        Wire::new()
+    }
+}
+
+impl Wire {
+    /// An empty bus at time zero.
+    #[must_use]
+    pub fn new() -> Wire {
+        Wire {
+            now: 0,
+            nodes: Vec::new(),
+            bus: Bus::new(),
+            schedule: Schedule::default(),
+            events: VecDeque::new(),
+            tracer: Tracer::default(),
+            bit_faults: Vec::new(),
+            timed: Vec::new(),
+            injected: Vec::new(),
+            fast: fast::FastPath::default(),
+        }
+    }
+
+    /// Adds a node. It is [`crate::Mode::Off`] until [`Wire::set_mode`].
+    ///
+    /// # Errors
+    /// A [`TimingError`] if the configuration describes no node.
+    ///
+    /// # Panics
+    /// Beyond 65,535 nodes.
+    pub fn add_node(&mut self, config: NodeConfig) -> Result<NodeId, TimingError> {
+        config.check()?;
+        self.settle();
+        let index = u16::try_from(self.nodes.len()).expect("a bus has fewer than 65,536 nodes");
+        assert!(index < u16::MAX, "a bus has fewer than 65,536 nodes");
+        let mut node = Node::new(config);
+        node.eager = self.tracer.levels;
+        if !self.bus.level() {
+            node.bus_changed(self.now, false, self.now);
+        }
+        self.nodes.push(node);
+        self.bus.add_node();
+        self.schedule.push();
+        Ok(NodeId(index))
+    }
+
+    /// Advances to the next event and returns it, or to `limit` and returns `None`. Events that are due at the same
+    /// time come one by one; [`Wire::now`] is then that time.
+    ///
+    /// A limit before [`Wire::now`] changes nothing but may return events of the present.
+    pub fn next_event(&mut self, limit: Time) -> Option<Event> {
+        loop {
+            if let Some(event) = self.events.pop_front() {
+                if let Some(sink) = &mut self.tracer.sink {
+                    sink.event(&event);
+                }
+                return Some(event);
+            }
+            if !self.advance(limit.as_ps()) {
+                self.now = self.now.max(limit.as_ps().min(Time::MAX.as_ps()));
+                self.tracer.flush_before(self.now);
+                return None;
+            }
+        }
+    }
+
+    /// Runs until `limit` and hands every event to `handler`, which may place requests.
+    pub fn run_until(&mut self, limit: Time, mut handler: impl FnMut(&mut Wire, Event)) {
+        while let Some(event) = self.next_event(limit) {
+            handler(self, event);
+        }
+    }
+
+    /// Does the next thing if it is due by `limit`.
+    fn advance(&mut self, limit: u64) -> bool {
+        if self.fast.is_planned() {
+            return self.advance_plan(limit);
+        }
+        let mut key = u64::MAX;
+        let mut node = None;
+        if let Some((next, index)) = self.schedule.first() {
+            key = next;
+            node = Some(index);
+        }
+        // At equal times a change that reaches the bus comes before a node's step, and the start or end of a fault
+        // before both.
+        if let Some(at) = self.bus.next_arrival().filter(|at| at << 1 <= key) {
+            key = at << 1;
+            node = None;
+        }
+        if let Some(at) = self.next_timed_fault().filter(|at| at << 1 <= key) {
+            if at > limit {
+                return false;
+            }
+            self.go_to(at);
+            self.apply_timed_fault();
+            return true;
+        }
+        if key >> 1 > limit || key == u64::MAX {
+            return false;
+        }
+        self.go_to(key >> 1);
+        match node {
+            None => {
+                if let Some((index, level)) = self.bus.take_arrival() {
+                    self.contribute(index, level);
+                }
+            }
+            Some(index) if key & 1 == 0 => self.step_output(index),
+            Some(index) => self.step_sample(index),
+        }
+        true
+    }
+
+    /// When the next thing happens, whatever it is.
+    fn next_time(&self) -> Option<u64> {
+        let step = self.schedule.first().map(|(key, _)| key >> 1);
+        [step, self.bus.next_arrival(), self.next_timed_fault()]
+            .into_iter()
+            .flatten()
+            .min()
+    }
+
+    #[inline]
+    fn go_to(&mut self, at: u64) {
+        self.now = at.max(self.now);
+        if self.tracer.levels {
+            self.tracer.flush_before(self.now);
+        }
+    }
+
+    /// Edges and output changes of one node that are due now.
+    fn step_output(&mut self, index: usize) {
+        self.fast.statistics.steps += 1;
+        let now = self.now;
+        self.nodes[index].take_arrivals(now);
+        if self.fast.is_enabled() && self.plan_frame(index) {
+            return;
+        }
+        let output = self.nodes[index].drive(now);
+        self.put_out(index, output);
+        self.after_step(index);
+    }
+
+    fn step_sample(&mut self, index: usize) {
+        self.fast.statistics.steps += 1;
+        let now = self.now;
+        let node = &mut self.nodes[index];
+        node.take_arrivals(now);
+        let mut cx = Context {
+            now: Time::from_ps(now),
+            node: NodeId(index as u16),
+            events: &mut self.events,
+        };
+        let record = node.sample(now, &mut cx);
+        if let Some(record) = record {
+            if self.tracer.bits
+                && let Some(sink) = &mut self.tracer.sink
+            {
+                sink.bit(&record);
+            }
+            if !self.bit_faults.is_empty() {
+                self.match_bit_faults(index);
+            }
+        }
+        self.after_step(index);
+    }
+
+    /// A node's output has changed; it reaches the bus after the node's transmit delay.
+    fn put_out(&mut self, index: usize, output: Output) {
+        let Output::Pin(level) = output else { return };
+        if self.tracer.levels {
+            self.tracer
+                .level(self.now, Signal::Tx(NodeId(index as u16)), level);
+        }
+        let node = &self.nodes[index];
+        if node.cut {
+            return;
+        }
+        let delay = node.config.tx_delay.as_ps();
+        if delay == 0 {
+            self.contribute(index, level);
+        } else {
+            self.bus.send(index, level, self.now + delay);
+        }
+    }
+
+    fn contribute(&mut self, index: usize, level: bool) {
+        // What was under way when the node was cut off does not arrive.
+        let level = level || self.nodes[index].cut;
+        if let Some(level) = self.bus.contribute(index, level) {
+            self.spread(level);
+        }
+    }
+
+    /// The bus has changed; every node gets to see it after its receive delay.
+    fn spread(&mut self, level: bool) {
+        if self.tracer.levels {
+            self.tracer.level(self.now, Signal::Bus, level);
+        }
+        let now = self.now;
+        for index in 0..self.nodes.len() {
+            let node = &mut self.nodes[index];
+            let at = now + node.config.rx_delay.as_ps();
+            node.bus_changed(at, level, now);
+            self.after_step(index);
+        }
+    }
+
+    /// Whatever has happened to a node: its next event, its input in the trace, a wake-up.
+    #[inline]
+    fn after_step(&mut self, index: usize) {
+        let node = &mut self.nodes[index];
+        self.schedule.set(index, node.next_key());
+        if node.woken.is_some() {
+            self.report_wake_up(index);
+        }
+        if self.tracer.levels {
+            let level = self.nodes[index].rx;
+            self.trace_input(index, level);
+        }
+    }
+
+    #[cold]
+    fn report_wake_up(&mut self, index: usize) {
+        if let Some(at) = self.nodes[index].woken.take() {
+            self.events.push_back(Event {
+                time: at,
+                node: NodeId(index as u16),
+                kind: EventKind::WakeUp,
+            });
+        }
+    }
+
+    fn trace_input(&mut self, index: usize, level: bool) {
+        if self.nodes[index].traced_rx != level {
+            self.nodes[index].traced_rx = level;
+            self.tracer
+                .level(self.now, Signal::Rx(NodeId(index as u16)), level);
+        }
+    }
+}
