@@ -18,15 +18,21 @@ pub(crate) struct Segments {
     /// Quanta from the sample point to the end: phase segment 2.
     pub(crate) after: u64,
     pub(crate) sjw: u64,
+    before_span: u64,
+    after_span: u64,
 }
 
 impl Segments {
     fn new(timing: &BitTiming, clock: Tick) -> Segments {
+        let quantum = clock.times(timing.prescaler);
+        let (before, after) = (timing.sample_quanta(), u64::from(timing.phase_seg2));
         Segments {
-            quantum: clock.times(timing.prescaler),
-            before: timing.sample_quanta(),
-            after: u64::from(timing.phase_seg2),
+            quantum,
+            before,
+            after,
             sjw: u64::from(timing.sjw),
+            before_span: quantum.span(before),
+            after_span: quantum.span(after),
         }
     }
 
@@ -46,6 +52,8 @@ pub(crate) struct BitClock {
     pub(crate) sampled: Fine,
     /// The sample point after `start`.
     pub(crate) next_sample: Fine,
+    /// [`BitClock::next_sample`] in picoseconds, rounded up.
+    pub(crate) next_sample_at: u64,
     /// Quantum and jump width before and after `start`; they differ around a bit-rate switch.
     data_before: bool,
     data_after: bool,
@@ -75,10 +83,17 @@ impl BitClock {
             start: Fine::default(),
             sampled: Fine::default(),
             next_sample: Fine::default(),
+            next_sample_at: 0,
             data_before: false,
             data_after: false,
             may_sync: false,
         }
+    }
+
+    #[inline]
+    fn set_next_sample(&mut self, at: Fine) {
+        self.next_sample = at;
+        self.next_sample_at = at.ceil();
     }
 
     pub(crate) fn segments(&self, data: bool) -> &Segments {
@@ -96,7 +111,7 @@ impl BitClock {
             grid
         };
         self.sampled = self.start;
-        self.next_sample = self.start.plus(self.nominal.before, self.nominal.quantum);
+        self.set_next_sample(self.start.plus(self.nominal.before, self.nominal.quantum));
         self.data_before = false;
         self.data_after = false;
         self.may_sync = true;
@@ -116,7 +131,7 @@ impl BitClock {
         }
         let quanta = bits * self.nominal.bit();
         self.start = self.start.plus(quanta, quantum);
-        self.next_sample = self.next_sample.plus(quanta, quantum);
+        self.set_next_sample(self.next_sample.plus(quanta, quantum));
         self.sampled = self.start.minus(self.nominal.after, quantum);
     }
 
@@ -124,12 +139,12 @@ impl BitClock {
     /// other one.
     #[inline]
     pub(crate) fn sampled(&mut self, level: bool, data: bool) {
-        let segments = self.segments(data);
-        let start = self.next_sample.plus(segments.after, segments.quantum);
-        let next = start.plus(segments.before, segments.quantum);
+        let segments = if data { &self.data } else { &self.nominal };
+        let start = self.next_sample.after(segments.after_span);
+        let next = start.after(segments.before_span);
         self.sampled = self.next_sample;
         self.start = start;
-        self.next_sample = next;
+        self.set_next_sample(next);
         self.data_before = data;
         self.data_after = data;
         self.may_sync = level;
@@ -139,7 +154,7 @@ impl BitClock {
     pub(crate) fn jump_to(&mut self, start: Fine) {
         self.start = start;
         self.sampled = start.minus(self.nominal.after, self.nominal.quantum);
-        self.next_sample = start.plus(self.nominal.before, self.nominal.quantum);
+        self.set_next_sample(start.plus(self.nominal.before, self.nominal.quantum));
         self.data_before = false;
         self.data_after = false;
         self.may_sync = true;
@@ -181,7 +196,7 @@ impl BitClock {
         };
         self.start = self.start.minus(shorter, quantum);
         let next = self.segments(self.data_after);
-        self.next_sample = self.start.plus(next.before, next.quantum);
+        self.set_next_sample(self.start.plus(next.before, next.quantum));
         Effect::Moved {
             output_from: seen.max(self.start),
         }
@@ -194,7 +209,11 @@ impl BitClock {
             let segments = self.segments(self.data_after);
             (segments.quantum, segments.before, segments.sjw)
         };
-        let late = at.ticks_since(self.start, quantum);
+        let late = if at.is_within_first(self.start, quantum) {
+            0
+        } else {
+            at.ticks_since(self.start, quantum)
+        };
         match sync {
             Sync::None => Effect::Nothing,
             Sync::Hard => {
@@ -203,7 +222,7 @@ impl BitClock {
                     return Effect::Nothing;
                 }
                 self.start = self.start.plus(late, quantum);
-                self.next_sample = self.start.plus(before, quantum);
+                self.set_next_sample(self.start.plus(before, quantum));
                 Effect::Moved {
                     output_from: self.start,
                 }
@@ -214,7 +233,7 @@ impl BitClock {
                 if late == 0 {
                     return Effect::Nothing;
                 }
-                self.next_sample = self.next_sample.plus(late.min(sjw), quantum);
+                self.set_next_sample(self.next_sample.plus(late.min(sjw), quantum));
                 Effect::Moved {
                     output_from: self.start,
                 }

@@ -303,10 +303,9 @@ pub(crate) fn layout(frame: &Frame, iso: bool) -> Layout {
     } else {
         (raw << 3 | remote << 2 | u64::from(fd), 15)
     };
-    counter.number(arbitration, width);
     let code = u64::from(frame.dlc().code());
     if fd {
-        counter.number(0, 1);
+        counter.number(arbitration << 1, width + 1);
         let res = counter.bits - 1;
         counter.number(u64::from(frame.bit_rate_switch()), 1);
         let brs = counter.bits - 1;
@@ -322,13 +321,15 @@ pub(crate) fn layout(frame: &Frame, iso: bool) -> Layout {
             crc_delimiter: counter.bits + checked + checked.div_ceil(4),
         };
     }
-    let (control, control_width) = (code, if frame.is_extended() { 5 } else { 4 });
-    counter.number(control, control_width);
+    // A frame with extended identifier has one more reserved bit.
+    let control_width = if frame.is_extended() { 5 } else { 4 };
+    let (header, header_width) = (arbitration << control_width | code, width + control_width);
+    counter.number(header, header_width);
     // The register starts at zero, so leading zeros that fill up the first byte change nothing.
-    let header = arbitration << control_width | control;
     let mut crc = 0;
-    for byte in header.to_be_bytes() {
-        crc = crc15(crc, byte);
+    let bytes = header.to_be_bytes();
+    for byte in &bytes[8 - (header_width as usize).div_ceil(8)..] {
+        crc = crc15(crc, *byte);
     }
     for byte in frame.data_bytes() {
         counter.byte(*byte);

@@ -241,7 +241,7 @@ impl Disturbances {
 pub(crate) struct NodeFaults {
     pub(crate) rx: Disturbances,
     pub(crate) tx: Disturbances,
-    pub(crate) noise: Option<Noise>,
+    pub(crate) noise: Option<Box<Noise>>,
     /// The bit sampled next is inverted.
     invert_seen: bool,
     driven: Option<BitFault>,

@@ -10,6 +10,10 @@
 //! See [`Wire`] for the way to use it.
 #![forbid(unsafe_code)]
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
+
 mod bit_clock;
 mod bus;
 mod config;

@@ -104,9 +104,15 @@ impl Node {
     /// outputs have changed before anyone samples.
     #[inline]
     pub(crate) fn next_key(&self) -> u64 {
-        let mut key = NEVER;
+        let mut key = if self.is_active() {
+            self.clock.next_sample_at << 1 | 1
+        } else {
+            NEVER
+        };
+        if self.drive_at.is_none() && self.late.is_empty() && self.arrivals.is_empty() {
+            return key;
+        }
         if self.is_active() {
-            key = self.clock.next_sample.ceil() << 1 | 1;
             if let Some(late) = self.late.front() {
                 key = key.min(late.at.ceil() << 1 | 1);
             }
@@ -146,15 +152,26 @@ impl Node {
         self.protocol.mode.is_loopback()
     }
 
-    /// The bus changes at the node's input at `at`, now or later.
+    /// The bus changes at the node's input at `at`, now or later. Returns false if that cannot change when the node
+    /// acts next.
     #[inline]
-    pub(crate) fn bus_changed(&mut self, at: u64, level: bool, now: u64) {
+    pub(crate) fn bus_changed(&mut self, at: u64, level: bool, now: u64) -> bool {
+        if at == now && self.arrivals.is_empty() {
+            let matters = if level {
+                self.filtered_edge.is_some()
+            } else {
+                self.watches_edges()
+            };
+            self.input(Time::from_ps(at), level);
+            return matters;
+        }
         self.take_arrivals(now);
         if at == now {
             self.input(Time::from_ps(at), level);
         } else {
             self.arrivals.push_back(Arrival { at, level });
         }
+        true
     }
 
     /// Takes in every arrival up to `now`.
@@ -298,26 +315,24 @@ impl Node {
             )
     }
 
-    /// The sample point, or a secondary one, that is due at `now`. Returns the record of the bit if one was sampled.
-    pub(crate) fn sample(&mut self, now: u64, cx: &mut Context<'_>) -> Option<BitRecord> {
-        while let Some(late) = self
-            .late
-            .front()
-            .copied()
-            .filter(|late| late.at.ceil() <= now)
-        {
-            self.late.pop_front();
-            if self.rx != late.level && self.late_error.is_none() {
-                self.late_error = Some((late.position, Level::from_bit(late.level)));
-            }
+    /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit
+    /// was sampled, and its record if that is asked for.
+    #[inline]
+    pub(crate) fn sample<const RECORD: bool>(
+        &mut self,
+        now: u64,
+        cx: &mut Context<'_>,
+    ) -> (bool, Option<BitRecord>) {
+        if !self.late.is_empty() {
+            self.compare_late(now);
         }
-        if !self.is_active() || self.clock.next_sample.ceil() > now {
-            return None;
+        if !self.is_active() || self.clock.next_sample_at > now {
+            return (false, None);
         }
         if let Some(since) = self.filtered_edge.take() {
             self.filter(since, Time::from_ps(now));
-            if self.clock.next_sample.ceil() > now {
-                return None;
+            if self.clock.next_sample_at > now {
+                return (false, None);
             }
         }
         let position = self.protocol.position();
@@ -330,13 +345,20 @@ impl Node {
         let hit = self.faults.hits_sample(noisy);
         let level = if compensated { driven } else { pin_level ^ hit };
         let faulty = hit || self.faults.drives_wrong();
-        let late = self.late_error.take();
+        let late = if self.late_error.is_some() {
+            self.late_error.take()
+        } else {
+            None
+        };
         self.awake = false;
         self.protocol.sample(level, late, cx);
         self.clock.sampled(level, self.protocol.data_phase);
         self.schedule_drive();
         if self.config.delay_compensation.is_some() {
             self.prepare_late_sample(position, cx);
+        }
+        if !RECORD {
+            return (true, None);
         }
         // A receiver knows only now that this bit was a start of frame.
         let started = self.protocol.field == Field::BaseId
@@ -347,7 +369,7 @@ impl Node {
         } else {
             position
         };
-        Some(BitRecord {
+        let record = BitRecord {
             node: cx.node,
             start: Time::from_ps(start.ceil()),
             sample: Time::from_ps(sample.ceil()),
@@ -356,7 +378,23 @@ impl Node {
             driven: Level::from_bit(driven),
             seen: Level::from_bit(level),
             faulty,
-        })
+        };
+        (true, Some(record))
+    }
+
+    /// The secondary sample points that are due.
+    fn compare_late(&mut self, now: u64) {
+        while let Some(late) = self
+            .late
+            .front()
+            .copied()
+            .filter(|late| late.at.ceil() <= now)
+        {
+            self.late.pop_front();
+            if self.rx != late.level && self.late_error.is_none() {
+                self.late_error = Some((late.position, Level::from_bit(late.level)));
+            }
+        }
     }
 
     /// The output follows the engine at the next bit boundary, if anything changes there.

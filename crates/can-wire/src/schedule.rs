@@ -9,6 +9,8 @@ pub(crate) struct Schedule {
 }
 
 const NEVER: u64 = u64::MAX;
+/// Up to so many nodes are looked through one by one, which is faster than keeping the tree.
+const FEW: usize = 4;
 
 impl Schedule {
     /// Makes room for one more node.
@@ -50,14 +52,25 @@ impl Schedule {
     pub(crate) fn set(&mut self, node: usize, key: u64) {
         if self.keys[node] != key {
             self.keys[node] = key;
-            self.replay(node);
+            if self.leaves > FEW {
+                self.replay(node);
+            }
         }
     }
 
     /// The smallest key and its node, the lower number first among equals.
     #[inline]
     pub(crate) fn first(&self) -> Option<(u64, usize)> {
-        let node = if self.leaves > 1 { self.winners[1] } else { 0 };
+        if self.leaves <= FEW {
+            let mut first = (NEVER, 0);
+            for (node, key) in self.keys.iter().enumerate() {
+                if *key < first.0 {
+                    first = (*key, node);
+                }
+            }
+            return (first.0 != NEVER).then_some(first);
+        }
+        let node = self.winners[1];
         let key = self.key(node);
         (key != NEVER).then_some((key, usize::from(node)))
     }

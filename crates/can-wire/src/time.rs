@@ -113,9 +113,22 @@ impl Fine {
         Fine(self.0 + u128::from(ticks) * u128::from(tick.0))
     }
 
+    /// Later by a span that was worked out once with [`Tick::span`].
+    #[inline]
+    pub(crate) fn after(self, span: u64) -> Fine {
+        Fine(self.0 + u128::from(span))
+    }
+
     #[inline]
     pub(crate) fn minus(self, ticks: u64, tick: Tick) -> Fine {
         Fine(self.0 - u128::from(ticks) * u128::from(tick.0))
+    }
+
+    /// True if this is later than `start` by less than one tick: the commonest case of [`Fine::ticks_since`], without a
+    /// division.
+    #[inline]
+    pub(crate) fn is_within_first(self, start: Fine, tick: Tick) -> bool {
+        self.0 < start.0 + u128::from(tick.0)
     }
 
     /// How many whole ticks lie between `start` and this; zero if this is not later.
@@ -158,6 +171,11 @@ impl Tick {
         let scaled = u128::from(hz) * (1_000_000 + i128::from(ppm)).unsigned_abs();
         let second_scaled = 1_000_000_000_000_000_000u128 << FRACTION_BITS;
         Tick(((second_scaled + scaled / 2) / scaled) as u64)
+    }
+
+    /// So many ticks as one span; a bit lasts at most 2 ms, which fits.
+    pub(crate) fn span(self, ticks: u64) -> u64 {
+        self.0 * ticks
     }
 
     pub(crate) fn times(self, prescaler: u16) -> Tick {

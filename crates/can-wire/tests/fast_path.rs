@@ -311,4 +311,3 @@ fn the_comparison_covers_both_paths() {
     );
     println!("{skipped} frames stepped over, {undone} taken back");
 }
-

@@ -20,6 +20,8 @@ pub struct FrameCapture {
 enum State {
     Waiting,
     Catching,
+    /// The reference node is through; the others sample their last bit.
+    Closing,
     Done,
 }
 
@@ -43,7 +45,7 @@ impl FrameCapture {
     /// True once the frame and its intermission are over.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.state == State::Done
+        matches!(self.state, State::Closing | State::Done)
     }
 
     /// The bits of all nodes, in the order of their sample points.
@@ -93,17 +95,26 @@ impl TraceSink for FrameCapture {
                 self.state = State::Done;
             }
         }
+        if self.state == State::Closing {
+            let last = self.of(self.reference).last().copied();
+            let late =
+                last.is_none_or(|last| bit.sample > last.sample + last.sample.since(last.start));
+            if late || is_reference {
+                self.state = State::Done;
+            } else if !starts {
+                self.bits.push(*bit);
+            }
+        }
         if self.state == State::Catching {
             self.bits.push(*bit);
             if is_reference && bit.position.field == Field::Intermission && bit.position.bit == 2 {
-                self.state = State::Done;
+                self.state = State::Closing;
             }
         }
     }
 
     fn event(&mut self, event: &Event) {
-        if self.state == State::Catching || (self.state == State::Done && event.time <= self.end())
-        {
+        if self.state == State::Catching || (self.is_complete() && event.time <= self.end()) {
             self.events.push(*event);
         }
     }

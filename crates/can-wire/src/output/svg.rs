@@ -80,9 +80,9 @@ impl FrameCapture {
         } else {
             "receiver"
         };
-        let _ = write!(
+        let _ = writeln!(
             out,
-            "<text x=\"8\" y=\"{:.0}\">{node}</text><text class=\"small\" x=\"8\" y=\"{:.0}\">{role}</text>\n",
+            "<text x=\"8\" y=\"{:.0}\">{node}</text><text class=\"small\" x=\"8\" y=\"{:.0}\">{role}</text>",
             top + 16.0,
             top + 30.0
         );
@@ -113,7 +113,7 @@ impl FrameCapture {
                     x1 - x0
                 );
             }
-            let _ = write!(out, "<path class=\"wave {class}\" d=\"{path}\"/>\n");
+            let _ = writeln!(out, "<path class=\"wave {class}\" d=\"{path}\"/>");
             if class == "rx" {
                 for bit in &bits {
                     let x = scale.x(bit.sample);
@@ -162,10 +162,10 @@ fn fields(out: &mut String, reference: &[&BitRecord], end: Time, scale: &Scale) 
             format!(" transform=\"rotate(-90 {x:.1} {y})\"")
         };
         let dy = if fits { 4 } else { 3 };
-        let _ = write!(
+        let _ = writeln!(
             out,
             "<rect class=\"{class}\" x=\"{from:.1}\" y=\"26\" width=\"{:.1}\" height=\"44\"/>\
-             <text class=\"small\" text-anchor=\"middle\" x=\"{x:.1}\" y=\"{y}\" dy=\"{dy}\"{upright}>{text}</text>\n",
+             <text class=\"small\" text-anchor=\"middle\" x=\"{x:.1}\" y=\"{y}\" dy=\"{dy}\"{upright}>{text}</text>",
             until - from
         );
     }

@@ -4,13 +4,13 @@
 //! is dropped and the bits up to the present are worked out one by one.
 
 use super::{Statistics, Wire, plan::Plan};
-use crate::{NodeId, Signal, Time, encode::encode, protocol::Incoming};
+use crate::{Field, NodeId, Signal, Time, encode::encode, protocol::Incoming};
 
 pub(super) struct FastPath {
     allowed: bool,
     planned: bool,
-    /// Kept between frames for its allocations.
-    plan: Plan,
+    /// Kept between frames for its allocations; absent while it is being worked on.
+    plan: Option<Box<Plan>>,
     pub(super) statistics: Statistics,
 }
 
@@ -19,7 +19,7 @@ impl Default for FastPath {
         FastPath {
             allowed: true,
             planned: false,
-            plan: Plan::empty(),
+            plan: None,
             statistics: Statistics::default(),
         }
     }
@@ -43,30 +43,45 @@ impl FastPath {
     /// True once every receiver of the planned frame has sampled its start. Before, a request could still put another
     /// node into the arbitration.
     pub(super) fn has_started(&self) -> bool {
-        self.plan.delivered > self.plan.receivers.len()
+        self.plan
+            .as_ref()
+            .is_none_or(|plan| plan.delivered > plan.receivers.len())
     }
 
     /// A frame that is requested while another is on the bus only matters when the bus is idle again.
     pub(super) fn note_request(&mut self, now: u64, node: NodeId, frame: can_frame::Frame) {
-        self.plan.requests.push((now, node, frame));
+        if let Some(plan) = &mut self.plan {
+            plan.requests.push((now, node, frame));
+        }
     }
 }
 
 impl Wire {
     /// Tries to work out the frame that node `index` starts now. Returns true if a plan is in force.
+    #[inline]
     pub(super) fn plan_frame(&mut self, index: usize) -> bool {
-        if !self.nodes[index].protocol.sending {
-            return false;
-        }
-        let mut plan = core::mem::replace(&mut self.fast.plan, Plan::empty());
+        let protocol = &self.nodes[index].protocol;
+        protocol.sending && protocol.field == Field::Sof && self.make_plan(index)
+    }
+
+    #[inline(never)]
+    fn make_plan(&mut self, index: usize) -> bool {
+        let mut plan = self
+            .fast
+            .plan
+            .take()
+            .unwrap_or_else(|| Box::new(Plan::empty()));
         self.fast.planned = self.work_out(index, &mut plan).is_some();
-        self.fast.plan = plan;
+        self.fast.plan = Some(plan);
         self.fast.planned
     }
 
     /// Delivers the next event of the plan, or ends it.
+    #[inline(never)]
     pub(super) fn advance_plan(&mut self, limit: u64) -> bool {
-        let plan = &mut self.fast.plan;
+        let Some(plan) = &mut self.fast.plan else {
+            return false;
+        };
         if let Some(event) = plan.events.get(plan.delivered) {
             if event.time.as_ps() > limit {
                 return false;
@@ -84,7 +99,9 @@ impl Wire {
     }
 
     fn finish_plan(&mut self) {
-        let plan = core::mem::replace(&mut self.fast.plan, Plan::empty());
+        let Some(plan) = self.fast.plan.take() else {
+            return;
+        };
         if self.tracer.levels {
             self.trace_plan(&plan);
         }
@@ -110,7 +127,7 @@ impl Wire {
         }
         self.fast.statistics.frames_skipped += 1;
         self.fast.planned = false;
-        self.fast.plan = plan;
+        self.fast.plan = Some(plan);
     }
 
     /// Drops a plan that is in force and works out the present bit by bit.
@@ -126,14 +143,17 @@ impl Wire {
         self.fast.planned = false;
         self.fast.statistics.skips_undone += 1;
         let present = self.now;
-        let delivered = self.fast.plan.delivered;
-        let requests = core::mem::take(&mut self.fast.plan.requests);
+        let Some(mut plan) = self.fast.plan.take() else {
+            return;
+        };
+        let delivered = plan.delivered;
+        let requests = core::mem::take(&mut plan.requests);
         for (_, node, _) in &requests {
             self.nodes[node.index()].protocol.request = None;
             self.after_step(node.index());
         }
         // The plan began where the transmitter was about to drive its SOF.
-        self.now = self.nodes[self.fast.plan.sender].clock.start.ceil();
+        self.now = self.nodes[plan.sender].clock.start.ceil();
         let allowed = core::mem::replace(&mut self.fast.allowed, false);
         let waiting = core::mem::take(&mut self.events);
         let mut requests = requests.into_iter().peekable();
@@ -155,6 +175,7 @@ impl Wire {
         let fresh = core::mem::replace(&mut self.events, waiting);
         self.events.extend(fresh);
         self.fast.allowed = allowed;
+        self.fast.plan = Some(plan);
         self.now = present;
     }
 

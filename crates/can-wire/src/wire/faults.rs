@@ -47,6 +47,7 @@ impl Wire {
                     });
                     // The earliest is taken from the end.
                     self.timed.sort_unstable_by(|a, b| b.cmp(a));
+                    self.refresh_other();
                 }
             }
         }
@@ -57,6 +58,7 @@ impl Wire {
         self.settle();
         self.bit_faults.clear();
         self.timed.clear();
+        self.refresh_other();
         self.injected.clear();
         self.bus.disturbances.clear();
         for index in 0..self.nodes.len() {
@@ -88,7 +90,7 @@ impl Wire {
             "a probability lies between 0 and 1, not {probability}"
         );
         self.settle();
-        let noise = (probability > 0.0).then(|| Noise::new(probability, seed, node));
+        let noise = (probability > 0.0).then(|| Box::new(Noise::new(probability, seed, node)));
         self.nodes[node.index()].faults.noise = noise;
     }
 
@@ -144,6 +146,7 @@ impl Wire {
         let Some(timed) = self.timed.pop() else {
             return;
         };
+        self.refresh_other();
         match self.injected[timed.id as usize] {
             Fault::Disturb { line, how, .. } => {
                 let how = timed.begins.then_some(how);

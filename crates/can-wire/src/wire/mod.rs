@@ -55,6 +55,8 @@ pub struct Wire {
     tracer: Tracer,
     bit_faults: Vec<BitFaultAt>,
     timed: Vec<Timed>,
+    /// When the next thing happens that is no step of a node.
+    other_at: u64,
     injected: Vec<Fault>,
     fast: fast::FastPath,
 }
@@ -69,6 +71,9 @@ pub struct Statistics {
     /// Short cuts that were begun and then taken back, because a request came in between.
     pub skips_undone: u64,
 }
+
+/// Half of the range, so that it can be doubled.
+const NEVER: u64 = u64::MAX >> 1;
 
 impl Default for Wire {
     fn default() -> Wire {
@@ -89,6 +94,7 @@ impl Wire {
             tracer: Tracer::default(),
             bit_faults: Vec::new(),
             timed: Vec::new(),
+            other_at: NEVER,
             injected: Vec::new(),
             fast: fast::FastPath::default(),
         }
@@ -149,49 +155,57 @@ impl Wire {
         if self.fast.is_planned() {
             return self.advance_plan(limit);
         }
-        let mut key = u64::MAX;
-        let mut node = None;
-        if let Some((next, index)) = self.schedule.first() {
-            key = next;
-            node = Some(index);
-        }
-        // At equal times a change that reaches the bus comes before a node's step, and the start or end of a fault
-        // before both.
-        if let Some(at) = self.bus.next_arrival().filter(|at| at << 1 <= key) {
-            key = at << 1;
-            node = None;
-        }
-        if let Some(at) = self.next_timed_fault().filter(|at| at << 1 <= key) {
-            if at > limit {
-                return false;
-            }
-            self.go_to(at);
-            self.apply_timed_fault();
-            return true;
+        let (key, index) = self.schedule.first().unwrap_or((u64::MAX, 0));
+        if self.other_at << 1 <= key {
+            return self.advance_other(limit);
         }
         if key >> 1 > limit || key == u64::MAX {
             return false;
         }
         self.go_to(key >> 1);
-        match node {
-            None => {
-                if let Some((index, level)) = self.bus.take_arrival() {
-                    self.contribute(index, level);
-                }
-            }
-            Some(index) if key & 1 == 0 => self.step_output(index),
-            Some(index) => self.step_sample(index),
+        if key & 1 == 0 {
+            self.step_output(index);
+        } else {
+            self.step_sample(index);
         }
         true
+    }
+
+    /// At equal times a change that reaches the bus comes before a node's step, and the start or end of a fault before
+    /// both.
+    #[cold]
+    #[inline(never)]
+    fn advance_fault(&mut self) {
+        self.apply_timed_fault();
+    }
+
+    #[inline(never)]
+    fn advance_other(&mut self, limit: u64) -> bool {
+        let at = self.other_at;
+        if at > limit || at == NEVER {
+            return false;
+        }
+        self.go_to(at);
+        if self.next_timed_fault() == Some(at) {
+            self.advance_fault();
+        } else if let Some((index, level)) = self.bus.take_arrival() {
+            self.refresh_other();
+            self.contribute(index, level);
+        }
+        true
+    }
+
+    /// Recomputes when the next thing happens that is no step of a node.
+    fn refresh_other(&mut self) {
+        let arrival = self.bus.next_arrival().unwrap_or(NEVER);
+        self.other_at = self.next_timed_fault().unwrap_or(NEVER).min(arrival);
     }
 
     /// When the next thing happens, whatever it is.
     fn next_time(&self) -> Option<u64> {
         let step = self.schedule.first().map(|(key, _)| key >> 1);
-        [step, self.bus.next_arrival(), self.next_timed_fault()]
-            .into_iter()
-            .flatten()
-            .min()
+        let other = (self.other_at != NEVER).then_some(self.other_at);
+        [step, other].into_iter().flatten().min()
     }
 
     #[inline]
@@ -203,6 +217,7 @@ impl Wire {
     }
 
     /// Edges and output changes of one node that are due now.
+    #[inline(never)]
     fn step_output(&mut self, index: usize) {
         self.fast.statistics.steps += 1;
         let now = self.now;
@@ -215,8 +230,30 @@ impl Wire {
         self.after_step(index);
     }
 
+    #[inline]
     fn step_sample(&mut self, index: usize) {
         self.fast.statistics.steps += 1;
+        let sampled = if self.tracer.bits {
+            self.step_sample_recorded(index)
+        } else {
+            let now = self.now;
+            let node = &mut self.nodes[index];
+            node.take_arrivals(now);
+            let mut cx = Context {
+                now: Time::from_ps(now),
+                node: NodeId(index as u16),
+                events: &mut self.events,
+            };
+            node.sample::<false>(now, &mut cx).0
+        };
+        if sampled && !self.bit_faults.is_empty() {
+            self.match_bit_faults(index);
+        }
+        self.after_step(index);
+    }
+
+    #[inline(never)]
+    fn step_sample_recorded(&mut self, index: usize) -> bool {
         let now = self.now;
         let node = &mut self.nodes[index];
         node.take_arrivals(now);
@@ -225,18 +262,11 @@ impl Wire {
             node: NodeId(index as u16),
             events: &mut self.events,
         };
-        let record = node.sample(now, &mut cx);
-        if let Some(record) = record {
-            if self.tracer.bits
-                && let Some(sink) = &mut self.tracer.sink
-            {
-                sink.bit(&record);
-            }
-            if !self.bit_faults.is_empty() {
-                self.match_bit_faults(index);
-            }
+        let (sampled, record) = node.sample::<true>(now, &mut cx);
+        if let (Some(record), Some(sink)) = (record, &mut self.tracer.sink) {
+            sink.bit(&record);
         }
-        self.after_step(index);
+        sampled
     }
 
     /// A node's output has changed; it reaches the bus after the node's transmit delay.
@@ -255,6 +285,7 @@ impl Wire {
             self.contribute(index, level);
         } else {
             self.bus.send(index, level, self.now + delay);
+            self.refresh_other();
         }
     }
 
@@ -275,8 +306,9 @@ impl Wire {
         for index in 0..self.nodes.len() {
             let node = &mut self.nodes[index];
             let at = now + node.config.rx_delay.as_ps();
-            node.bus_changed(at, level, now);
-            self.after_step(index);
+            if node.bus_changed(at, level, now) || self.tracer.levels {
+                self.after_step(index);
+            }
         }
     }
 

@@ -109,12 +109,7 @@ pub(super) struct Plan {
 
 impl Plan {
     pub(super) fn empty() -> Plan {
-        let segments = Segments {
-            quantum: Tick(1),
-            before: 1,
-            after: 1,
-            sjw: 1,
-        };
+        let segments = crate::bit_clock::BitClock::new(&NodeConfig::new()).nominal;
         let layout = Layout {
             res: None,
             brs: None,
@@ -377,6 +372,16 @@ impl Wire {
                 role: Role::Transmitter,
             },
         );
+        for receiver in &plan.receivers {
+            let sof = course.sample(receiver.sof, 0);
+            push(
+                sof,
+                receiver.index,
+                EventKind::StartOfFrame {
+                    role: Role::Receiver,
+                },
+            );
+        }
         if let (Some(delay), Some(res)) = (plan.delay, course.layout.res)
             && let Some(compensation) = self.nodes[plan.sender].config.delay_compensation
         {
@@ -387,25 +392,8 @@ impl Wire {
             // BRS comes next, no stuff bit can be between: FDF and res differ.
             push(course.sample(plan.sof, res + 1), plan.sender, kind);
         }
-        let transmitted = EventKind::Transmitted {
-            frame,
-            sof: Time::from_ps(sof.ceil()),
-            res,
-        };
-        push(
-            plan.sender_sample(delimiter + EOF_VALID_FOR_TRANSMITTER),
-            plan.sender,
-            transmitted,
-        );
         for receiver in &plan.receivers {
-            let sof = course.sample(receiver.sof, 0);
-            push(
-                sof,
-                receiver.index,
-                EventKind::StartOfFrame {
-                    role: Role::Receiver,
-                },
-            );
+            let sof = Time::from_ps(course.sample(receiver.sof, 0).ceil());
             let res = course
                 .layout
                 .res
@@ -414,14 +402,20 @@ impl Wire {
             push(
                 valid,
                 receiver.index,
-                EventKind::Received {
-                    frame,
-                    sof: Time::from_ps(sof.ceil()),
-                    res,
-                },
+                EventKind::Received { frame, sof, res },
             );
         }
-        events.sort_by_key(|event| (event.time, event.node));
+        let sof = Time::from_ps(sof.ceil());
+        push(
+            plan.sender_sample(delimiter + EOF_VALID_FOR_TRANSMITTER),
+            plan.sender,
+            EventKind::Transmitted { frame, sof, res },
+        );
+        // Mostly they are in order already.
+        let key = |event: &Event| (event.time, event.node);
+        if !events.is_sorted_by_key(key) {
+            events.sort_by_key(key);
+        }
         plan.events = events;
     }
 }
