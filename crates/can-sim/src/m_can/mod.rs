@@ -88,6 +88,7 @@ impl MCanModel {
         let (r, f) = names::look_up(&regs);
         regs.set(r.crel, config.core_release);
         regs.set(r.cust, config.customer_register.unwrap_or(0));
+        let timeout = timeout::Timeout::new(regs.field(f.toc));
         Self {
             regs,
             r,
@@ -98,7 +99,7 @@ impl MCanModel {
             status: protocol_status::ProtocolStatus::default(),
             clock: timestamp::BitCounter::default(),
             timestamps: timestamp::Timestamps::new(config.tsu_registers),
-            timeout: timeout::Timeout::default(),
+            timeout,
             tx: tx::Tx::default(),
             rx: rx::Rx::default(),
             lines: interrupts::LineState::default(),

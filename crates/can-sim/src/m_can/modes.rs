@@ -74,6 +74,9 @@ impl MCanModel {
     /// 2.3.7: the value written to INIT is taken over in the other clock domain, and is read back only then.
     fn write_init(&mut self, cx: &mut Context<'_>, access: &mut WriteAccess, init: u32) {
         let wanted = access.new & init != 0;
+        if self.config.choices.command_delay == 0 {
+            return;
+        }
         access.new = access.new & !init | access.old & init;
         let pending = self.commands.iter().rev().find_map(|(_, command)| match command {
             Command::Init(value) => Some(*value),

@@ -18,6 +18,13 @@ pub(super) struct Timeout {
     expired: bool,
 }
 
+impl Timeout {
+    /// After a hardware reset.
+    pub(super) fn new(value: u32) -> Self {
+        Self { value: u64::from(value), ..Self::default() }
+    }
+}
+
 impl MCanModel {
     fn tocc(&self) -> pac::Tocc {
         pac::Tocc::from_bits(self.regs.get(self.r.tocc))

@@ -106,14 +106,14 @@ impl MCanModel {
     /// 2.3.47, 3.6: the Get Index becomes the acknowledged one plus one, unchecked.
     pub(super) fn acknowledge_events(&mut self, cx: &mut Context<'_>, index: u32) {
         let size = self.event_fifo_size();
-        if self.cccr().cce() || size == 0 {
-            return;
-        }
         let (get, put, fill) =
             (self.regs.field(self.f.efgi), self.regs.field(self.f.efpi), self.regs.field(self.f.effl));
-        let valid = index < size && (index + size - get) % size < fill;
+        let valid = index < size && (index + size - get % size.max(1)) % size < fill;
         if !valid {
             cx.report("3.6", DiagnosticKind::AcknowledgeInvalid { register: "TXEFA", index, get, fill });
+        }
+        if self.cccr().cce() || size == 0 {
+            return;
         }
         let get = if index + 1 >= size { 0 } else { index + 1 };
         self.regs.set_field(self.f.efgi, get);
