@@ -52,7 +52,8 @@ impl Handlers {
             return;
         }
         while let Some(change) = sim.next_line_change() {
-            for index in 0..self.list.borrow().len() {
+            let handlers = self.list.borrow().len();
+            for index in 0..handlers {
                 let mut list = self.list.borrow_mut();
                 let handler = &mut list[index];
                 if (handler.controller, handler.line) != (change.controller, change.line) {
