@@ -10,6 +10,7 @@ use std::{
     fs::File,
     io::{self, BufRead, BufReader, BufWriter, Write},
     path::{Path, PathBuf},
+    process::ExitCode,
     sync::{Arc, Mutex, PoisonError},
 };
 
@@ -88,22 +89,31 @@ struct Totals {
     bus_off: u64,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let arguments = Arguments::parse();
-    let frames = read_log(&arguments)?;
-    let (mut wire, nodes) = build_wire(&arguments)?;
-    let outputs = Outputs::open(&arguments, nodes.len(), nodes[0])?;
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let frames = read_log(arguments)?;
+    let (mut wire, nodes) = build_wire(arguments)?;
+    let outputs = Outputs::open(arguments, nodes.len(), nodes[0])?;
     wire.set_trace(Some(Box::new(outputs.sinks())));
 
     let bar = ProgressBar::new(frames.len() as u64);
     bar.set_style(ProgressStyle::with_template(
         "{wide_bar} {pos}/{len} frames, {eta} left",
     )?);
-    let totals = replay(&arguments, &mut wire, &nodes, frames, &bar)?;
+    let totals = replay(arguments, &mut wire, &nodes, frames, &bar)?;
     bar.finish_and_clear();
 
-    outputs.finish(&arguments, wire.now())?;
-    report(&wire, &nodes, &totals, &arguments);
+    outputs.finish(arguments, wire.now())?;
+    report(&wire, &nodes, &totals, arguments);
     Ok(())
 }
 
@@ -218,7 +228,8 @@ fn replay(
         let limit = if busy { limit.min(idle_until) } else { limit };
         match wire.next_event(limit) {
             Some(event) => {
-                if handle(wire, nodes, &mut queues, &mut totals, event)? {
+                let arrived = handle(wire, nodes, &mut queues, &mut totals, event)?;
+                if arrived {
                     bar.inc(1);
                     idle_until = wire.now() + patience;
                 }

@@ -397,6 +397,15 @@ mod tests {
     }
 
     #[test]
+    fn every_node_has_errors_of_its_own() {
+        let first = |node| Noise::new(0.01, 4, NodeId(node)).left;
+        let mut distances: Vec<u64> = (0..20).map(first).collect();
+        distances.sort_unstable();
+        distances.dedup();
+        assert!(distances.len() > 10, "{distances:?}");
+    }
+
+    #[test]
     fn the_later_disturbance_wins_while_two_overlap() {
         let mut line = Disturbances::default();
         line.set(0, Some(Disturbance::Dominant));

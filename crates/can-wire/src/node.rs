@@ -117,10 +117,10 @@ impl Node {
         if self.drive_at.is_none() && self.late.is_empty() && self.arrivals.is_empty() {
             return key;
         }
-        if self.is_active() {
-            if let Some(late) = self.late.front() {
-                key = key.min(late.at.ceil() << 1 | 1);
-            }
+        if self.is_active()
+            && let Some(late) = self.late.front()
+        {
+            key = key.min(late.at.ceil() << 1 | 1);
         }
         if let Some(at) = self.drive_at {
             key = key.min(at.ceil() << 1);

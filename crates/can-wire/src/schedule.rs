@@ -61,6 +61,10 @@ impl Schedule {
     /// The smallest key and its node, the lower number first among equals.
     #[inline]
     pub(crate) fn first(&self) -> Option<(u64, usize)> {
+        if let [a, b] = self.keys[..] {
+            let first = if b < a { (b, 1) } else { (a, 0) };
+            return (first.0 != NEVER).then_some(first);
+        }
         if self.leaves <= FEW {
             let mut first = (NEVER, 0);
             for (node, key) in self.keys.iter().enumerate() {

@@ -264,10 +264,9 @@ fn tshark_sees_every_node_as_an_interface() {
     let (mut wire, nodes) = bench_of(3, NodeConfig::new());
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("nodes.pcapng");
-    let mut sinks: Vec<Box<dyn TraceSink + Send>> = Vec::new();
-    sinks.push(Box::new(
+    let sinks: Vec<Box<dyn TraceSink + Send>> = vec![Box::new(
         PcapNg::new(File::create(&path).unwrap(), Tap::EachNode, nodes.len()).unwrap(),
-    ));
+    )];
     wire.set_trace(Some(Box::new(sinks)));
     send_all(&mut wire, &nodes, &[common::frame("123#11")]);
     wire.set_trace(None);

@@ -18,7 +18,7 @@ fn text(frame: &Frame, iso: bool) -> String {
     encode(frame, iso).iter().map(letter).collect()
 }
 
-/// Computed by hand and with an independent program from the definitions of ISO 11898-1, field by field:
+/// Worked out apart from this crate, by a small program written from the definitions of ISO 11898-1, field by field:
 /// SOF, identifier, RTR, IDE, FDF, DLC, data, CRC.
 #[test]
 fn hand_checked_frames() {

@@ -12,6 +12,8 @@ use crate::{BitRecord, Field, NodeId, Role, Time};
 const BIT: f64 = 9.0;
 const LEFT: f64 = 96.0;
 const RIGHT: f64 = 16.0;
+/// Room for the explanation below the picture.
+const NARROWEST: f64 = 760.0;
 const HEADER: f64 = 76.0;
 /// Height of one waveform and of the space below it.
 const WAVE: f64 = 22.0;
@@ -45,7 +47,7 @@ impl FrameCapture {
             origin: first.start,
             per_ps: BIT / shortest as f64,
         };
-        let width = scale.x(end) + RIGHT;
+        let width = (scale.x(end) + RIGHT).max(NARROWEST);
         let height = HEADER + nodes.len() as f64 * (2.0 * ROW + NODE_GAP) + 26.0;
         let mut svg = String::new();
         let out = &mut svg;

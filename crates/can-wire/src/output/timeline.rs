@@ -108,7 +108,7 @@ impl FrameCapture {
                     width = self.width(group, reference)
                 );
             }
-            writeln!(text, "{}|", out.trim_end())
+            writeln!(text, "{out}|")
         };
         row(text, "", &|group| label(group, reference))?;
         row(text, "us", &|group| {

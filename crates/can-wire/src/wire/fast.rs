@@ -164,7 +164,7 @@ impl Wire {
             while let Some((_, node, frame)) = requests.next_if(|(at, _, _)| *at < time) {
                 self.place_request(node, frame);
             }
-            self.advance(present);
+            self.advance_once(present);
         }
         for (_, node, frame) in requests {
             self.place_request(node, frame);

@@ -135,10 +135,12 @@ impl Wire {
                 }
                 return Some(event);
             }
-            if !self.advance(limit.as_ps()) {
-                self.now = self.now.max(limit.as_ps().min(Time::MAX.as_ps()));
-                self.tracer.flush_before(self.now);
-                return None;
+            while self.events.is_empty() {
+                if !self.advance(limit.as_ps()) {
+                    self.now = self.now.max(limit.as_ps().min(Time::MAX.as_ps()));
+                    self.tracer.flush_before(self.now);
+                    return None;
+                }
             }
         }
     }
@@ -151,6 +153,12 @@ impl Wire {
     }
 
     /// Does the next thing if it is due by `limit`.
+    #[inline(never)]
+    fn advance_once(&mut self, limit: u64) -> bool {
+        self.advance(limit)
+    }
+
+    #[inline(always)]
     fn advance(&mut self, limit: u64) -> bool {
         if self.fast.is_planned() {
             return self.advance_plan(limit);

@@ -365,22 +365,21 @@ impl Wire {
             .layout
             .res
             .map(|bit| Time::from_ps(course.sample(plan.sof, bit).ceil()));
-        push(
-            sof,
-            plan.sender,
-            EventKind::StartOfFrame {
-                role: Role::Transmitter,
-            },
-        );
+        // In the order of time, and of the nodes where times are equal.
+        let mut sender = Some((sof.ceil(), plan.sender));
         for receiver in &plan.receivers {
-            let sof = course.sample(receiver.sof, 0);
-            push(
-                sof,
-                receiver.index,
-                EventKind::StartOfFrame {
-                    role: Role::Receiver,
-                },
-            );
+            let at = course.sample(receiver.sof, 0);
+            if sender.is_some_and(|sender| sender < (at.ceil(), receiver.index)) {
+                sender = None;
+                let role = Role::Transmitter;
+                push(sof, plan.sender, EventKind::StartOfFrame { role });
+            }
+            let role = Role::Receiver;
+            push(at, receiver.index, EventKind::StartOfFrame { role });
+        }
+        if sender.is_some() {
+            let role = Role::Transmitter;
+            push(sof, plan.sender, EventKind::StartOfFrame { role });
         }
         if let (Some(delay), Some(res)) = (plan.delay, course.layout.res)
             && let Some(compensation) = self.nodes[plan.sender].config.delay_compensation

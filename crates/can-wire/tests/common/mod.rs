@@ -1,6 +1,7 @@
 //! What the tests share: a bench of nodes, recorders, random frames.
 #![allow(dead_code, clippy::unwrap_used)]
 
+pub mod confine;
 pub mod frames;
 
 use std::sync::{Arc, Mutex};
