@@ -19,11 +19,18 @@ fn main() {
 
 const FRAMES: u32 = 1_000;
 
+/// Which way the wire takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Path {
+    Fast,
+    BitByBit,
+}
+
 const CONFIG: Setup = Setup { cccr: FD, ..SETUP };
 
-fn bench(fast: bool) -> (Sim, Can, Can) {
+fn bench(path: Path) -> (Sim, Can, Can) {
     let sim = Sim::new();
-    sim.with_wire(|wire| wire.set_fast_path(fast));
+    sim.with_wire(|wire| wire.set_fast_path(path == Path::Fast));
     let cans = ["can0", "can1"].map(|name| add(&sim, name));
     for can in cans {
         can.set_up(&sim, &CONFIG);
@@ -56,8 +63,8 @@ fn exchange(sim: &Sim, from: Can, to: Can, frame: &Frame) {
     }
 }
 
-fn run(bencher: Bencher<'_, '_>, fast: bool, frame: &Frame) {
-    let (sim, from, to) = bench(fast);
+fn run(bencher: Bencher<'_, '_>, path: Path, frame: &Frame) {
+    let (sim, from, to) = bench(path);
     let regs = to.regs(&sim);
     regs.ie().write(m_can_pac::registers::Ie::from_bits(Ir::RF0N.bits()));
     regs.ile().write(m_can_pac::registers::Ile::EINT0);
@@ -65,22 +72,22 @@ fn run(bencher: Bencher<'_, '_>, fast: bool, frame: &Frame) {
     assert_eq!(sim.diagnostics().len(), 0);
 }
 
-#[divan::bench(args = [true, false])]
-fn classic_8_bytes_fast_path(bencher: Bencher<'_, '_>, fast: bool) {
-    run(bencher, fast, &frame("123#0123456789ABCDEF"));
+#[divan::bench(args = [Path::Fast, Path::BitByBit])]
+fn classic_8_bytes(bencher: Bencher<'_, '_>, path: Path) {
+    run(bencher, path, &frame("123#0123456789ABCDEF"));
 }
 
-#[divan::bench(args = [true, false])]
-fn fd_64_bytes_fast_path(bencher: Bencher<'_, '_>, fast: bool) {
+#[divan::bench(args = [Path::Fast, Path::BitByBit])]
+fn fd_64_bytes(bencher: Bencher<'_, '_>, path: Path) {
     let data: Vec<u8> = (0..64).collect();
     let id = common::StandardId::new(0x123).unwrap();
-    run(bencher, fast, &Frame::fd(id, &data, common::FdFlags { brs: true, esi: false }).unwrap());
+    run(bencher, path, &Frame::fd(id, &data, common::FdFlags { brs: true, esi: false }).unwrap());
 }
 
 /// Register accesses alone: a status register of a controller that is idle.
 #[divan::bench]
 fn register_read(bencher: Bencher<'_, '_>) {
-    let (sim, can, _) = bench(true);
+    let (sim, can, _) = bench(Path::Fast);
     let regs = can.regs(&sim);
     bencher.counter(ItemsCount::new(1_000_u32)).bench_local(|| {
         for _ in 0..1_000 {
@@ -91,7 +98,7 @@ fn register_read(bencher: Bencher<'_, '_>) {
 
 #[divan::bench]
 fn register_write(bencher: Bencher<'_, '_>) {
-    let (sim, can, _) = bench(true);
+    let (sim, can, _) = bench(Path::Fast);
     let regs = can.regs(&sim);
     bencher.counter(ItemsCount::new(1_000_u32)).bench_local(|| {
         for value in 0..1_000 {
