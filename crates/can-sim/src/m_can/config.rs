@@ -25,7 +25,7 @@ pub struct Choices {
     /// leads to idle like B.
     pub debug_a_restarts: bool,
     /// `tx_event_esi` (2.4.4): true if ESI of a Tx event is the bit that was transmitted, false if it is the node's
-    /// error state.
+    /// error state when the transmission started.
     pub event_esi_as_transmitted: bool,
     /// `received_data_padding` (3.4.1): true if bytes behind a message in its last word are written as 0, false if they
     /// keep their content.

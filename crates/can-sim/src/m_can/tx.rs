@@ -35,6 +35,8 @@ pub(super) struct Tx {
     scan_end: Option<Time>,
     /// Requests came in while a Tx scan was running.
     scan_again: bool,
+    /// The node was error passive when the transmission started.
+    pub(super) passive_at_start: bool,
     /// The next start of a transmission meets a Message RAM failure.
     pub(super) ram_failure: bool,
 }
@@ -207,6 +209,7 @@ impl MCanModel {
             }
             return;
         }
+        self.tx.passive_at_start = self.is_error_passive();
         if let Some(placed) = self.tx.placed.take() {
             self.tx.sending = Some(placed);
         }

@@ -71,7 +71,7 @@ impl MCanModel {
         // esi_of_classic_frames, tx_event_esi.
         let esi = match self.config.choices.event_esi_as_transmitted {
             true => frame.error_state_indicator(),
-            false => self.is_error_passive(),
+            false => self.tx.passive_at_start,
         };
         let esi = m_can_pac::enums::ErrorState::from_bits(u8::from(esi && frame.is_fd()));
         let e0 = TxEventE0::ZERO.with_esi(esi).with_xtd(t0.xtd()).with_rtr(t0.rtr()).with_id(t0.id());
