@@ -22,6 +22,11 @@
 //! Mistakes of a driver are collected as [`Diagnostic`]s, or panic.
 #![deny(unsafe_code)]
 
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 mod access;
 mod bus;
 mod bus_log;
