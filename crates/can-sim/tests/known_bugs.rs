@@ -52,8 +52,7 @@ fn acknowledging_with_an_ored_old_index() {
 /// TXBC is written with the buffer numbers alone, its start address lost: the Tx Buffers lie on the filter list.
 #[test]
 fn txbc_written_without_its_start_address() {
-    let (sim, can) = (Sim::new(), ());
-    let () = can;
+    let sim = Sim::new();
     let can = add(&sim, "can0");
     can.set_up(&sim, &Setup { sidfc: 4 << 16, ..SETUP });
     let bus = sim.registers(can.id);

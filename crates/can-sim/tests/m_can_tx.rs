@@ -441,7 +441,7 @@ fn section_2_3_39_requests_during_a_scan() {
     assert_eq!(b.sent().len(), 2);
 }
 
-/// 3.5, Frame: what the helper `sent` compares is what the element says, for all lengths.
+/// Tables 54 and 59: every data length code in both formats.
 #[test]
 fn table_54_and_59_all_lengths() {
     let b = bench(&Setup { cccr: FD, ..SETUP });

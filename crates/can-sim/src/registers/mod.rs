@@ -100,7 +100,7 @@ pub struct RegisterFile {
     physical: Vec<Physical>,
     first: Vec<u16>,
     values: Vec<u32>,
-    unknown: UnknownReset,
+    resets: Vec<u32>,
     map: Map,
     plans: Vec<WritePlan>,
     reads: Vec<Vec<(u32, u32, bool)>>,
@@ -130,6 +130,7 @@ impl RegisterFile {
         let mut file = Self {
             meta,
             values: vec![0; physical.len()],
+            resets: physical.iter().map(|at| reset_value(meta, at, unknown)).collect(),
             map: Map::new(meta, &first, &physical),
             plans: meta.registers.iter().map(|info| WritePlan::new(meta, info)).collect(),
             reads: meta.registers.iter().map(read_effects).collect(),
@@ -138,7 +139,6 @@ impl RegisterFile {
             lines: Lines::default(),
             physical,
             first,
-            unknown,
         };
         file.effects = Effects::new(&file);
         file.lines = Lines::new(&file);
@@ -148,18 +148,14 @@ impl RegisterFile {
 
     /// Returns every register to its reset value.
     pub fn reset(&mut self) {
-        for index in 0..self.values.len() {
-            self.values[index] = self.reset_value(Slot(index as u16));
-        }
+        self.values.copy_from_slice(&self.resets);
         self.restart_effects();
     }
 
     /// The value of a register after reset, bits without a defined value as chosen.
     #[must_use]
     pub fn reset_value(&self, slot: Slot) -> u32 {
-        let info = self.info(slot);
-        let offset = self.physical[slot.0 as usize].offset.unwrap_or(0);
-        info.reset & !info.reset_unknown | self.unknown.bits(offset) & info.reset_unknown & info.implemented()
+        self.resets[slot.0 as usize]
     }
 
     /// The description.
@@ -314,6 +310,12 @@ impl RegisterFile {
     pub fn unrouted(&self, slot: Slot) -> u32 {
         self.lines.unrouted(self, slot)
     }
+}
+
+fn reset_value(meta: &Controller, at: &Physical, unknown: UnknownReset) -> u32 {
+    let info = &meta.registers[at.register as usize];
+    let bits = unknown.bits(at.offset.unwrap_or(0)) & info.implemented();
+    info.reset & !info.reset_unknown | bits & info.reset_unknown
 }
 
 /// Per field with a read effect: the bytes whose read triggers it, its bits, and whether they are set.
