@@ -1,5 +1,9 @@
 //! What the tests that cross crates have in common.
 
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod readme {}
+
 use std::path::{Path, PathBuf};
 
 use regdef::model::Model;

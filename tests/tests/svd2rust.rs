@@ -7,18 +7,20 @@ use std::process::Command;
 use canpac_tests::{all_descriptions, model};
 use svd_parser::ValidateLevel;
 
-/// A crate that holds the given modules and depends on `vcell` alone, which the lock file of this workspace pins.
-fn scratch_crate(dir: &Path, modules: &[(String, String)]) -> std::io::Result<()> {
-    std::fs::create_dir_all(dir.join("src"))?;
-    let manifest = "[package]\nname = \"scratch\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n\n\
-                    [dependencies]\nvcell = \"0.1\"\n";
-    std::fs::write(dir.join("Cargo.toml"), manifest)?;
-    let mut lib = String::from("#![no_std]\n");
-    for (name, code) in modules {
-        writeln!(lib, "pub mod {name};").expect("a string takes any text");
-        std::fs::write(dir.join("src").join(format!("{name}.rs")), code)?;
+/// A workspace with a crate for each SVD; all depend on `vcell` alone, which this workspace has fetched.
+fn scratch_workspace(dir: &Path, crates: &[(String, String)]) -> std::io::Result<()> {
+    let mut members = String::new();
+    for (name, code) in crates {
+        write!(members, "\"{name}\", ").expect("a string takes any text");
+        std::fs::create_dir_all(dir.join(name).join("src"))?;
+        let manifest = format!(
+            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n\
+             [features]\nrt = []\n\n[dependencies]\nvcell = \"0.1\"\n"
+        );
+        std::fs::write(dir.join(name).join("Cargo.toml"), manifest)?;
+        std::fs::write(dir.join(name).join("src/lib.rs"), code)?;
     }
-    std::fs::write(dir.join("src/lib.rs"), lib)
+    std::fs::write(dir.join("Cargo.toml"), format!("[workspace]\nresolver = \"2\"\nmembers = [{members}]\n"))
 }
 
 fn generated(file: &Path) -> (String, String) {
@@ -30,11 +32,13 @@ fn generated(file: &Path) -> (String, String) {
     }
     let mut config = svd2rust::Config::default();
     config.target = svd2rust::Target::None;
-    config.make_mod = true;
-    config.skip_crate_attributes = true;
     config.strict = true;
     match svd2rust::generate(&svd, &config) {
-        Ok(generation) => (model.names.id, generation.lib_rs),
+        // svd2rust writes one line; the compiler's messages would each repeat it.
+        Ok(generation) => match syn::parse_file(&generation.lib_rs) {
+            Ok(parsed) => (model.names.id, prettyplease::unparse(&parsed)),
+            Err(error) => panic!("{}: {error}", file.display()),
+        },
         Err(error) => panic!("{}: {error:#}", file.display()),
     }
 }
@@ -43,11 +47,11 @@ fn generated(file: &Path) -> (String, String) {
 fn what_svd2rust_makes_of_the_svd_files_compiles() {
     let files: Vec<PathBuf> = all_descriptions();
     assert!(!files.is_empty(), "no description found");
-    let modules: Vec<(String, String)> = files.iter().map(|file| generated(file)).collect();
-    let dir = tempfile::tempdir().expect("a folder for the scratch crate");
-    scratch_crate(dir.path(), &modules).expect("a writable folder");
+    let crates: Vec<(String, String)> = files.iter().map(|file| generated(file)).collect();
+    let dir = tempfile::tempdir().expect("a folder for the scratch crates");
+    scratch_workspace(dir.path(), &crates).expect("a writable folder");
     let output = Command::new(env!("CARGO"))
-        .args(["check", "--offline", "--quiet"])
+        .args(["check", "--offline", "--quiet", "--workspace"])
         .current_dir(dir.path())
         .env("CARGO_TARGET_DIR", dir.path().join("target"))
         .env("RUSTFLAGS", "-Awarnings")

@@ -84,6 +84,20 @@ impl Artefacts {
         Ok(())
     }
 
+    fn count(&self, wanted: Status) -> usize {
+        self.files.values().filter(|(status, _)| *status == wanted).count()
+    }
+
+    /// How many files became what, in one line.
+    pub fn counts(&self) -> String {
+        let parts: Vec<_> = [Status::Written, Status::Unchanged, Status::Stale, Status::Different, Status::Missing]
+            .into_iter()
+            .filter(|status| self.count(*status) > 0)
+            .map(|status| format!("{} {}", self.count(status), status.shown().0))
+            .collect();
+        format!("{} files: {}", self.files.len(), parts.join(", "))
+    }
+
     /// Prints the table; `false` if a check found something.
     pub fn summary(&self) -> bool {
         for (_, difference) in self.files.values() {
@@ -99,14 +113,8 @@ impl Artefacts {
             };
             anstream::println!("{:width$}  {style}{text}{style:#}{note}", project::shown(path));
         }
-        let count = |wanted: Status| self.files.values().filter(|(status, _)| *status == wanted).count();
-        let parts: Vec<_> = [Status::Written, Status::Unchanged, Status::Stale, Status::Different, Status::Missing]
-            .into_iter()
-            .filter(|status| count(*status) > 0)
-            .map(|status| format!("{} {}", count(status), status.shown().0))
-            .collect();
-        anstream::println!("{} files: {}", self.files.len(), parts.join(", "));
-        let good = !self.check || count(Status::Unchanged) == self.files.len();
+        anstream::println!("{}", self.counts());
+        let good = !self.check || self.count(Status::Unchanged) == self.files.len();
         if !good {
             anstream::println!("run `cargo xtask codegen` and commit what it writes");
         }

@@ -86,20 +86,36 @@ pub(crate) const PAYLOAD_SIZE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 #[repr(u8)]
 pub enum PayloadSize {
     /// 0: `bytes_8`
+    ///
+    /// Stands for 8.
     Bytes8 = 0,
     /// 1: `bytes_12`
+    ///
+    /// Stands for 12.
     Bytes12 = 1,
     /// 2: `bytes_16`
+    ///
+    /// Stands for 16.
     Bytes16 = 2,
     /// 3: `bytes_20`
+    ///
+    /// Stands for 20.
     Bytes20 = 3,
     /// 4: `bytes_24`
+    ///
+    /// Stands for 24.
     Bytes24 = 4,
     /// 5: `bytes_32`
+    ///
+    /// Stands for 32.
     Bytes32 = 5,
     /// 6: `bytes_48`
+    ///
+    /// Stands for 48.
     Bytes48 = 6,
     /// 7: `bytes_64`
+    ///
+    /// Stands for 64.
     Bytes64 = 7,
 }
 impl PayloadSize {
@@ -123,6 +139,21 @@ impl PayloadSize {
     #[must_use]
     pub const fn bits(self) -> u8 {
         self as u8
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Bytes8 => Some(8),
+            Self::Bytes12 => Some(12),
+            Self::Bytes16 => Some(16),
+            Self::Bytes20 => Some(20),
+            Self::Bytes24 => Some(24),
+            Self::Bytes32 => Some(32),
+            Self::Bytes48 => Some(48),
+            Self::Bytes64 => Some(64),
+        }
     }
 }
 regbus::enumeration!(PayloadSize, PAYLOAD_SIZE_VALUES);
@@ -201,43 +232,75 @@ pub(crate) const DATA_LENGTH_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::E
     ],
     reserved: &[],
 };
-/// Number of data bytes of a frame. The codes above 8 mean 8 bytes in a CAN 2.0 frame.
+/// Number of data bytes of a frame. In a CAN 2.0 frame the codes above 8 all mean 8 bytes; the numbers here are those of a CAN FD frame.
 ///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 2-1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum DataLengthCode {
     /// 0: `bytes_0`
+    ///
+    /// Stands for 0.
     Bytes0 = 0,
     /// 1: `bytes_1`
+    ///
+    /// Stands for 1.
     Bytes1 = 1,
     /// 2: `bytes_2`
+    ///
+    /// Stands for 2.
     Bytes2 = 2,
     /// 3: `bytes_3`
+    ///
+    /// Stands for 3.
     Bytes3 = 3,
     /// 4: `bytes_4`
+    ///
+    /// Stands for 4.
     Bytes4 = 4,
     /// 5: `bytes_5`
+    ///
+    /// Stands for 5.
     Bytes5 = 5,
     /// 6: `bytes_6`
+    ///
+    /// Stands for 6.
     Bytes6 = 6,
     /// 7: `bytes_7`
+    ///
+    /// Stands for 7.
     Bytes7 = 7,
     /// 8: `bytes_8`
+    ///
+    /// Stands for 8.
     Bytes8 = 8,
     /// 9: 12 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 12.
     Bytes12 = 9,
     /// 10: 16 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 16.
     Bytes16 = 10,
     /// 11: 20 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 20.
     Bytes20 = 11,
     /// 12: 24 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 24.
     Bytes24 = 12,
     /// 13: 32 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 32.
     Bytes32 = 13,
     /// 14: 48 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 48.
     Bytes48 = 14,
     /// 15: 64 bytes in a CAN FD frame, 8 in a CAN 2.0 frame.
+    ///
+    /// Stands for 64.
     Bytes64 = 15,
 }
 impl DataLengthCode {
@@ -269,6 +332,29 @@ impl DataLengthCode {
     #[must_use]
     pub const fn bits(self) -> u8 {
         self as u8
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Bytes0 => Some(0),
+            Self::Bytes1 => Some(1),
+            Self::Bytes2 => Some(2),
+            Self::Bytes3 => Some(3),
+            Self::Bytes4 => Some(4),
+            Self::Bytes5 => Some(5),
+            Self::Bytes6 => Some(6),
+            Self::Bytes7 => Some(7),
+            Self::Bytes8 => Some(8),
+            Self::Bytes12 => Some(12),
+            Self::Bytes16 => Some(16),
+            Self::Bytes20 => Some(20),
+            Self::Bytes24 => Some(24),
+            Self::Bytes32 => Some(32),
+            Self::Bytes48 => Some(48),
+            Self::Bytes64 => Some(64),
+        }
     }
 }
 regbus::enumeration!(DataLengthCode, DATA_LENGTH_CODE_VALUES);
@@ -684,30 +770,56 @@ pub(crate) const CON_H_TXBWS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ConHTxbws {
     /// 0: `no_delay`
+    ///
+    /// Stands for 0.
     NoDelay,
     /// 1: `bit_times_2`
+    ///
+    /// Stands for 2.
     BitTimes2,
     /// 2: `bit_times_4`
+    ///
+    /// Stands for 4.
     BitTimes4,
     /// 3: `bit_times_8`
+    ///
+    /// Stands for 8.
     BitTimes8,
     /// 4: `bit_times_16`
+    ///
+    /// Stands for 16.
     BitTimes16,
     /// 5: `bit_times_32`
+    ///
+    /// Stands for 32.
     BitTimes32,
     /// 6: `bit_times_64`
+    ///
+    /// Stands for 64.
     BitTimes64,
     /// 7: `bit_times_128`
+    ///
+    /// Stands for 128.
     BitTimes128,
     /// 8: `bit_times_256`
+    ///
+    /// Stands for 256.
     BitTimes256,
     /// 9: `bit_times_512`
+    ///
+    /// Stands for 512.
     BitTimes512,
     /// 10: `bit_times_1024`
+    ///
+    /// Stands for 1024.
     BitTimes1024,
     /// 11: `bit_times_2048`
+    ///
+    /// Stands for 2048.
     BitTimes2048,
     /// 12 to 15: `bit_times_4096` It holds the value itself.
+    ///
+    /// Stands for 4096.
     BitTimes4096(u8),
 }
 impl ConHTxbws {
@@ -760,6 +872,26 @@ impl ConHTxbws {
                     "ConHTxbws::BitTimes4096 takes 12..=15",
                 ) as u8
             }
+        }
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::NoDelay => Some(0),
+            Self::BitTimes2 => Some(2),
+            Self::BitTimes4 => Some(4),
+            Self::BitTimes8 => Some(8),
+            Self::BitTimes16 => Some(16),
+            Self::BitTimes32 => Some(32),
+            Self::BitTimes64 => Some(64),
+            Self::BitTimes128 => Some(128),
+            Self::BitTimes256 => Some(256),
+            Self::BitTimes512 => Some(512),
+            Self::BitTimes1024 => Some(1024),
+            Self::BitTimes2048 => Some(2048),
+            Self::BitTimes4096(_) => Some(4096),
         }
     }
 }
@@ -1220,10 +1352,10 @@ pub(crate) const FLT_CON_FBP_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// Used by [`FltCon::fbp`](crate::registers::FltCon::fbp).
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-50; Register 3-51; §8.1; external: mcp251xfd (offset)
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-50; Register 3-51; §8.1; §8.2; external: mcp251xfd (offset); external: mcp251xfd\_api (offset with fewer FIFOs)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FltConFbp {
-    /// 0: Reserved: the transmit queue cannot receive. The value after reset; point to a FIFO before enabling the filter.
+    /// 0: Reserved: FIFO 0 is the transmit queue, which cannot receive. The value after reset; point to a FIFO before enabling the filter.
     TransmitQueue,
     /// 1 to 31: Stored in FIFO n. It holds the value itself.
     Fifo(u8),

@@ -5,18 +5,18 @@
 mod sealed {
     pub trait Never {}
 }
-/// `TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait TbcLHasNoModify: sealed::Never {}
-/// `TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait TbcHHasNoModify: sealed::Never {}
 /// `VecL` cannot be read-modified-written: it is read-only; use `read`.
@@ -110,11 +110,11 @@ pub trait TxreqLHasNoModify: sealed::Never {}
     note = "use `request(bits)`: one store that makes only these requests"
 )]
 pub trait TxreqHHasNoModify: sealed::Never {}
-/// `TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait TxqconLHasNoModify: sealed::Never {}
 /// `Txqsta` cannot be read-modified-written: TXATIF would be cleared; use `clear(flags)`: one store that touches only these flags.
@@ -173,39 +173,39 @@ pub trait TrecLHasNoModify: sealed::Never {}
     note = "use `read`"
 )]
 pub trait TrecHHasNoModify: sealed::Never {}
-/// `Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait Bdiag0LHasNoModify: sealed::Never {}
-/// `Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait Bdiag0HHasNoModify: sealed::Never {}
-/// `Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait Bdiag1LHasNoModify: sealed::Never {}
-/// `Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait Bdiag1HHasNoModify: sealed::Never {}
-/// `FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait FifoConLHasNoModify: sealed::Never {}
 /// `FifoSta` cannot be read-modified-written: the read changes TXABT; use `clear(flags)`, or `read` once and pass the value on.

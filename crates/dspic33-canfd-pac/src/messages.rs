@@ -9,7 +9,7 @@ use regbus::meta::{Access, Field};
 ///
 /// Standard identifier and low bits of the extended identifier.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1; Table 7-1; Table 9-1
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxObjectT0(u16);
@@ -88,7 +88,7 @@ impl<B: Bus> regbus::Modify<B> for TxObjectT0 {
 ///
 /// SID11 and high bits of the extended identifier.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1; Table 7-1; Table 9-1
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxObjectT1(u16);
@@ -153,7 +153,7 @@ impl<B: Bus> regbus::Modify<B> for TxObjectT1 {
 ///
 /// Control bits and low bits of the sequence number.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1; Table 7-1
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxObjectT2(u16);
@@ -299,7 +299,7 @@ impl<B: Bus> regbus::Modify<B> for TxObjectT2 {
 ///
 /// High bits of the sequence number.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Table 6-1; §6.1; Table 7-1
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxObjectT3(u16);
@@ -1337,19 +1337,19 @@ impl TefObjectTe2 {
     }
     /// `IDE` (bit 4, `rw`): Identifier format.
     pub const IDE: Self = Self(0x0010);
-    /// `ESI` (bit 8, `rw`): ESI; in gateway mode (ESIGM) the transmitted flag is the OR of this bit and the error passive state of the controller.
+    /// `ESI` (bit 8, `rw`): ESI; in gateway mode (ESIGM) the flag went out recessive if this bit is set or the controller was error passive.
     #[inline(always)]
     #[must_use]
     pub const fn esi(self) -> crate::enums::ErrorState {
         crate::enums::ErrorState::from_bits(regbus::bits::get(self.0 as u32, 8, 1) as u8)
     }
-    /// This value with another `ESI`: ESI; in gateway mode (ESIGM) the transmitted flag is the OR of this bit and the error passive state of the controller.
+    /// This value with another `ESI`: ESI; in gateway mode (ESIGM) the flag went out recessive if this bit is set or the controller was error passive.
     #[inline(always)]
     #[must_use]
     pub const fn with_esi(self, value: crate::enums::ErrorState) -> Self {
         Self(regbus::bits::put(self.0 as u32, 8, 1, value.bits() as u32) as u16)
     }
-    /// `ESI` (bit 8, `rw`): ESI; in gateway mode (ESIGM) the transmitted flag is the OR of this bit and the error passive state of the controller.
+    /// `ESI` (bit 8, `rw`): ESI; in gateway mode (ESIGM) the flag went out recessive if this bit is set or the controller was error passive.
     pub const ESI: Self = Self(0x0100);
     /// `FDF` (bit 7, `rw`): Frame format.
     #[inline(always)]

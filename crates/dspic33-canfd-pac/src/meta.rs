@@ -418,7 +418,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000,
             aliased: false,
             fields: crate::registers::FIFOBA_L_FIELDS,
-            source: "Register 3-27; external: mcp251xfd (offset)",
+            source: "Register 3-27; external: mcp251xfd_api (offset)",
         },
         RegisterInfo {
             name: "FIFOBAH",
@@ -433,7 +433,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000,
             aliased: false,
             fields: crate::registers::FIFOBA_H_FIELDS,
-            source: "Register 3-28; external: mcp251xfd (offset)",
+            source: "Register 3-28; external: mcp251xfd_api (offset)",
         },
         RegisterInfo {
             name: "TXQCONL",
@@ -709,7 +709,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000,
             aliased: false,
             fields: crate::registers::FLT_CON_FIELDS,
-            source: "Register 3-50; Register 3-51; §8.1; external: mcp251xfd (offset)",
+            source: "Register 3-50; Register 3-51; §8.1; §8.2; external: mcp251xfd (offset); external: mcp251xfd_api (offset with fewer FIFOs)",
         },
         RegisterInfo {
             name: "CANCLKCON",
@@ -2195,7 +2195,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[],
             feeds: &[0],
-            code: None,
+            code: Some((1, 15)),
         },
         InterruptSource {
             name: "rx_fifo_16_to_31",
@@ -2207,7 +2207,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[],
             feeds: &[0],
-            code: None,
+            code: Some((16, 31)),
         },
         InterruptSource {
             name: "tx_fifo_0_to_15",
@@ -2219,7 +2219,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[],
             feeds: &[1],
-            code: None,
+            code: Some((0, 15)),
         },
         InterruptSource {
             name: "tx_fifo_16_to_31",
@@ -2231,7 +2231,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[],
             feeds: &[1],
-            code: None,
+            code: Some((16, 31)),
         },
         InterruptSource {
             name: "rx_overflow_1_to_15",

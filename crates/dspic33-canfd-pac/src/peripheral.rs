@@ -4,7 +4,7 @@ use regbus::{Bus, Mmio, Reg};
 use crate::registers::*;
 /// Microchip dsPIC33 CAN FD Protocol Module.
 ///
-/// CAN FD controller of the dsPIC33C family. 31 FIFOs, each configurable for transmission or reception, a transmit queue that sends by message ID, a transmit event FIFO, and 32 acceptance filters with one mask each. Messages lie in system RAM; hardware lays out event FIFO, queue and FIFOs one behind the other from one base address and hands out the address of the object to use next.
+/// CAN FD controller of the dsPIC33C family. 31 FIFOs, each configurable for transmission or reception, a transmit queue that sends by message ID, a transmit event FIFO, and 32 acceptance filters with one mask each. Messages lie in system RAM; hardware lays out event FIFO, queue and FIFOs one behind the other from one base address and hands out the address of the object to use next. The manual gives no address. All offsets here are those of the MCP251xFD, a sister controller with the same register set and the full 31 FIFOs and 32 filters. Known dsPIC33C devices implement fewer FIFOs, and there the filter registers stand at lower addresses, right behind the last FIFO: with 7 FIFOs the filter control registers begin at 0x0B0 instead of 0x1D0. On such a device only the registers from 0x000 up to the last implemented FIFO (0x0AF with 7 FIFOs) stand where this description puts them.
 ///
 /// Its registers are reached through a [`Bus`](regbus::Bus): [`Mmio`](regbus::Mmio) on hardware, a model in a simulation.
 ///
@@ -879,7 +879,7 @@ impl<B: Bus> Dspic33Canfd<B> {
     ///
     /// # Safety
     ///
-    /// The module writes received messages and transmit events to RAM from this address on, whatever lies there.
+    /// The module writes received messages and transmit events to RAM from this address on, whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the FIFOs lay out.
     ///
     /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-27; Register 3-28
     #[allow(unsafe_code, reason = "the hardware uses the value as an address")]
@@ -1121,7 +1121,7 @@ impl<B: Bus> Fifo<B> {
     pub fn ua_h(&self) -> Reg<FifoUaH, B> {
         Reg::new(self.bus, self.offset + 0xa)
     }
-    /// Reads `FIFOUA`: User address: where the next message is to be written (transmit) or read (receive).
+    /// Reads `FIFOUA`: User address: the object to fill next (transmit) or to read next (receive).
     ///
     /// 32 bits from [`FIFOUAL`](crate::registers::FifoUaL), [`FIFOUAH`](crate::registers::FifoUaH), read in this order.
     ///

@@ -25,6 +25,8 @@ use regbus::meta::{Access, Field, ReadEffect};
 /// | 5 | `ISOCRCEN` | `rw:config` | 0x1 | [`ConLIsocrcen`](crate::enums::ConLIsocrcen) |
 /// | 4:0 | `DNCNT` | `rw` | 0x0 | [`ConLDncnt`](crate::enums::ConLDncnt) |
 ///
+/// The manual contradicts itself (`protected_fields`): Which fields are protected outside Configuration mode. Taken: The list of section 4.2. Because: It is complete, and these settings fix the layout of the memory.
+///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-1; external: mcp251xfd (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
@@ -49,7 +51,9 @@ pub(crate) const CON_L_FIELDS: &[Field] = &[
         .reset(Some(1))
         .values(crate::enums::CON_L_ISOCRCEN_VALUES)
         .when(0),
-    Field::new("DNCNT", 0, 5, Access::Rw).values(crate::enums::CON_L_DNCNT_VALUES),
+    Field::new("DNCNT", 0, 5, Access::Rw)
+        .limits(0, 18)
+        .values(crate::enums::CON_L_DNCNT_VALUES),
 ];
 regbus::register!(ConL, u16, "CONL", 0x0760, CON_L_FIELDS);
 impl ConL {
@@ -97,13 +101,13 @@ impl ConL {
     }
     /// `BRSDIS` (bit 12, `rw`): Disables bit rate switching for all frames (1), whatever BRS in the transmit message object says; with 0 the object decides.
     pub const BRSDIS: Self = Self(0x1000);
-    /// `BUSY` (bit 11, `ro`): The module is active on the bus.
+    /// `BUSY` (bit 11, `ro`): The module is active (1) or inactive (0).
     #[inline(always)]
     #[must_use]
     pub const fn busy(self) -> bool {
         regbus::bits::get(self.0 as u32, 11, 1) != 0
     }
-    /// `BUSY` (bit 11, `ro`): The module is active on the bus.
+    /// `BUSY` (bit 11, `ro`): The module is active (1) or inactive (0).
     pub const BUSY: Self = Self(0x0800);
     /// `WFT` (bits 10:9, `rw`): Time constant of the wake-up filter on CxRX. The times themselves are device parameters.
     ///
@@ -189,7 +193,9 @@ impl ConL {
     }
     /// `ISOCRCEN` (bit 5, `rw:config`): CRC of CAN FD frames.
     pub const ISOCRCEN: Self = Self(0x0020);
-    /// `DNCNT` (bits 4:0, `rw`): DeviceNet filtering: number of data bits of a standard frame that are compared with EID0, EID1, ... of the filter, beginning with bit 7 of data byte 0. A shorter payload ends the comparison early.
+    /// `DNCNT` (bits 4:0, `rw`): DeviceNet filtering: number of data bits of a standard frame that are compared with EID0, EID1, ... of a filter set up for standard frames, beginning with bit 7 of data byte 0. A shorter payload ends the comparison early.
+    ///
+    /// May be programmed with 0 to 18.
     ///
     /// The manual contradicts itself (`dncnt_invalid`): DNCNT above 18. Taken: Reserved, with the effect of 18. Because: Both agree on the effect.
     ///
@@ -202,7 +208,7 @@ impl ConL {
     pub const fn dncnt(self) -> Result<crate::enums::ConLDncnt, u8> {
         crate::enums::ConLDncnt::from_bits(regbus::bits::get(self.0 as u32, 0, 5) as u8)
     }
-    /// This value with another `DNCNT`: DeviceNet filtering: number of data bits of a standard frame that are compared with EID0, EID1, ... of the filter, beginning with bit 7 of data byte 0. A shorter payload ends the comparison early.
+    /// This value with another `DNCNT`: DeviceNet filtering: number of data bits of a standard frame that are compared with EID0, EID1, ... of a filter set up for standard frames, beginning with bit 7 of data byte 0. A shorter payload ends the comparison early.
     #[inline(always)]
     #[must_use]
     pub const fn with_dncnt(self, value: crate::enums::ConLDncnt) -> Self {
@@ -853,6 +859,8 @@ impl<B: regbus::Bus> regbus::Modify<B> for TdcL {
 /// | 8 | `SID11EN` | `rw:config` | 0x0 | bool |
 /// | 1:0 | `TDCMOD` | `rw:config` | 0x2 | [`TdcHTdcmod`](crate::enums::TdcHTdcmod) |
 ///
+/// The manual contradicts itself (`protected_fields`): Which fields are protected outside Configuration mode. Taken: The list of section 4.2. Because: It is complete, and these settings fix the layout of the memory.
+///
 /// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-8; external: mcp251xfd (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
@@ -936,7 +944,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for TdcH {
 ///
 /// Hazard: Disabling the counter stops and resets it.
 ///
-/// No `modify`: `TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TbcL` cannot be read-modified-written: hardware changes TBC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -986,7 +994,7 @@ impl<B: regbus::Bus + crate::guards::TbcLHasNoModify> regbus::Modify<B> for TbcL
 ///
 /// Hazard: Any write to either half resets the prescaler's count, though not the prescaler setting.
 ///
-/// No `modify`: `TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TbcH` cannot be read-modified-written: hardware changes TBC between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -1343,6 +1351,8 @@ impl IntL {
     /// `WAKIF` (bit 14, `w0c`): Bus activity was detected while the module was in Sleep mode. The message that did it is lost; reception starts again after 11 recessive bits in a requested Normal mode.
     ///
     /// A flag: writing 0 clears it, writing 1 does nothing.
+    ///
+    /// The manual contradicts itself (`wake_up_in_disable_mode`): Whether bus activity raises WAKIF in Disable mode while the device is awake. Taken: Only while the module sleeps in the sense of section 4.6.3. Because: Two sections agree, one of them the definition of the flag; section 4.1.4 goes on with the steps of a wake-up from Sleep.
     #[inline(always)]
     #[must_use]
     pub const fn wakif(self) -> bool {
@@ -1504,6 +1514,8 @@ impl IntH {
     /// `IVMIE` (bit 15, `rw`): Enables the invalid message interrupt.
     pub const IVMIE: Self = Self(0x8000);
     /// `WAKIE` (bit 14, `rw`): Enables the wake-up interrupt; needed for a dominant edge on CxRX to wake the device.
+    ///
+    /// The manual contradicts itself (`wake_up_in_disable_mode`): Whether bus activity raises WAKIF in Disable mode while the device is awake. Taken: Only while the module sleeps in the sense of section 4.6.3. Because: Two sections agree, one of them the definition of the flag; section 4.1.4 goes on with the steps of a wake-up from Sleep.
     #[inline(always)]
     #[must_use]
     pub const fn wakie(self) -> bool {
@@ -2363,11 +2375,11 @@ impl regbus::Request for TxreqH {
 ///
 /// Hazard: The size of the memory used follows from the sizes of the event FIFO, the queue and the FIFOs; nothing keeps the module inside a buffer that is too small.
 ///
-/// A write is dangerous: The module writes received messages and transmit events to RAM from this address on, whatever lies there.
+/// A write is dangerous: The module writes received messages and transmit events to RAM from this address on, whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the FIFOs lay out.
 ///
 /// # Safety of writes
 ///
-/// The module writes received messages and transmit events to RAM from this address on, whatever lies there.
+/// The module writes received messages and transmit events to RAM from this address on, whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the FIFOs lay out.
 ///
 /// # Fields
 ///
@@ -2377,7 +2389,7 @@ impl regbus::Request for TxreqH {
 ///
 /// The manual contradicts itself (`protected_fields`): Which fields are protected outside Configuration mode. Taken: The list of section 4.2. Because: It is complete, and these settings fix the layout of the memory.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-27; external: mcp251xfd (offset)
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-27; external: mcp251xfd\_api (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct FifobaL(u16);
@@ -2435,11 +2447,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for FifobaL {
 ///
 /// High half of the RAM address at which the message objects begin.
 ///
-/// A write is dangerous: The module writes received messages and transmit events to RAM from this address on, whatever lies there.
+/// A write is dangerous: The module writes received messages and transmit events to RAM from this address on, whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the FIFOs lay out.
 ///
 /// # Safety of writes
 ///
-/// The module writes received messages and transmit events to RAM from this address on, whatever lies there.
+/// The module writes received messages and transmit events to RAM from this address on, whatever lies there. The memory has to hold everything that the sizes of the event FIFO, the queue and the FIFOs lay out.
 ///
 /// # Fields
 ///
@@ -2449,7 +2461,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for FifobaL {
 ///
 /// The manual contradicts itself (`protected_fields`): Which fields are protected outside Configuration mode. Taken: The list of section 4.2. Because: It is complete, and these settings fix the layout of the memory.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-28; external: mcp251xfd (offset)
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-28; external: mcp251xfd\_api (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct FifobaH(u16);
@@ -2493,9 +2505,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for FifobaH {
 ///
 /// Hazard: Before FRESET no transmission may be pending; afterwards wait until FRESET reads 0. In Configuration mode it stays 1.
 ///
-/// Hazard: Loading a message into a full queue can corrupt one that is being sent; check TXQNIF first.
+/// Hazard: Writing into a full queue can damage a message that is being sent; check TXQNIF first.
 ///
-/// No `modify`: `TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TxqconL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -2794,7 +2806,7 @@ impl Txqsta {
     pub const fn txqci(self) -> u8 {
         regbus::bits::get(self.0 as u32, 8, 5) as u8
     }
-    /// `TXABT` (bit 7, `ro`): The message was aborted (1) or completed (0). Updated when a message completes or aborts and when the queue is reset.
+    /// `TXABT` (bit 7, `ro`): The message was aborted (1) or completed (0). Renewed with every message that completes or aborts, and by a reset of the queue.
     ///
     /// The manual contradicts itself (`txabt_reset`): What resets TXABT. Taken: A read clears TXABT of a FIFO but not of the queue. A reset of the FIFO itself resets the FIFO's bit. Because: Each page speaks for its own register; the mention of the TXQ on the FIFO page is a slip for the FIFO.
     #[inline(always)]
@@ -2802,23 +2814,23 @@ impl Txqsta {
     pub const fn txabt(self) -> bool {
         regbus::bits::get(self.0 as u32, 7, 1) != 0
     }
-    /// `TXABT` (bit 7, `ro`): The message was aborted (1) or completed (0). Updated when a message completes or aborts and when the queue is reset.
+    /// `TXABT` (bit 7, `ro`): The message was aborted (1) or completed (0). Renewed with every message that completes or aborts, and by a reset of the queue.
     pub const TXABT: Self = Self(0x0080);
-    /// `TXLARB` (bit 6, `ro`): The message lost arbitration while being sent. Updated when a message completes or aborts and when the queue is reset.
+    /// `TXLARB` (bit 6, `ro`): Another node won the arbitration against the message. Renewed with every message that completes or aborts, and by a reset of the queue.
     #[inline(always)]
     #[must_use]
     pub const fn txlarb(self) -> bool {
         regbus::bits::get(self.0 as u32, 6, 1) != 0
     }
-    /// `TXLARB` (bit 6, `ro`): The message lost arbitration while being sent. Updated when a message completes or aborts and when the queue is reset.
+    /// `TXLARB` (bit 6, `ro`): Another node won the arbitration against the message. Renewed with every message that completes or aborts, and by a reset of the queue.
     pub const TXLARB: Self = Self(0x0040);
-    /// `TXERR` (bit 5, `ro`): A bus error occurred while the message was being sent. Updated when a message completes or aborts and when the queue is reset.
+    /// `TXERR` (bit 5, `ro`): Sending the message met a bus error. Renewed with every message that completes or aborts, and by a reset of the queue.
     #[inline(always)]
     #[must_use]
     pub const fn txerr(self) -> bool {
         regbus::bits::get(self.0 as u32, 5, 1) != 0
     }
-    /// `TXERR` (bit 5, `ro`): A bus error occurred while the message was being sent. Updated when a message completes or aborts and when the queue is reset.
+    /// `TXERR` (bit 5, `ro`): Sending the message met a bus error. Renewed with every message that completes or aborts, and by a reset of the queue.
     pub const TXERR: Self = Self(0x0020);
     /// `TXATIF` (bit 4, `w0c`): The transmit attempts are exhausted. Cleared by the application.
     ///
@@ -3376,7 +3388,7 @@ pub(crate) const TREC_H_FIELDS: &[Field] = &[
 ];
 regbus::register!(TrecH, u16, "TRECH", 0x0020, TREC_H_FIELDS);
 impl TrecH {
-    /// `TXBO` (bit 5, `ro`): The transmitter is in bus off (TEC above 255) and CxTX stays high. Also set in Configuration mode, because the module is not on the bus.
+    /// `TXBO` (bit 5, `ro`): The transmitter is in bus off (TEC above 255) and CxTX stays high. Also set in Configuration mode, in which the module is off the bus.
     ///
     /// The manual contradicts itself (`trec_reset_txbo`): What a reset of the error counter registers leaves in TXBO. Taken: Counters, passive and warning bits become 0; TXBO becomes 0 as soon as the module is on the bus. Because: TXBO after leaving Configuration mode would otherwise report bus off for ever.
     ///
@@ -3386,7 +3398,7 @@ impl TrecH {
     pub const fn txbo(self) -> bool {
         regbus::bits::get(self.0 as u32, 5, 1) != 0
     }
-    /// `TXBO` (bit 5, `ro`): The transmitter is in bus off (TEC above 255) and CxTX stays high. Also set in Configuration mode, because the module is not on the bus.
+    /// `TXBO` (bit 5, `ro`): The transmitter is in bus off (TEC above 255) and CxTX stays high. Also set in Configuration mode, in which the module is off the bus.
     pub const TXBO: Self = Self(0x0020);
     /// `TXBP` (bit 4, `ro`): The transmitter is error passive (TEC above 127).
     #[inline(always)]
@@ -3442,7 +3454,7 @@ impl<B: regbus::Bus + crate::guards::TrecHHasNoModify> regbus::Modify<B> for Tre
 ///
 /// Errors at the nominal bit rate, simply counted and never decremented. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag0L` cannot be read-modified-written: hardware changes NTERRCNT and NRERRCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3506,7 +3518,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag0LHasNoModify> regbus::Modify<B> for B
 ///
 /// Errors at the data bit rate, simply counted and never decremented. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag0H` cannot be read-modified-written: hardware changes DTERRCNT and DRERRCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3568,7 +3580,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag0HHasNoModify> regbus::Modify<B> for B
 ///
 /// Number of messages without error since the counter was last cleared. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag1L` cannot be read-modified-written: hardware changes EFMSGCNT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3614,7 +3626,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag1LHasNoModify> regbus::Modify<B> for B
 ///
 /// Kinds of error seen since the register was last cleared. Cleared by writing 0, and reset on leaving Configuration mode.
 ///
-/// No `modify`: `Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Bdiag1H` cannot be read-modified-written: hardware changes DLCMM, ESI and 12 more between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3785,7 +3797,7 @@ impl Bdiag1H {
     }
     /// `TXBOERR` (bit 7, `rwh`): The module went to bus off and recovered by itself. Set when it leaves bus off.
     pub const TXBOERR: Self = Self(0x0080);
-    /// `NCRCERR` (bit 5, `rwh`): The CRC of a received message did not match the CRC calculated from its data.
+    /// `NCRCERR` (bit 5, `rwh`): CRC error at the nominal bit rate: the CRC received differs from the one computed over the frame.
     ///
     /// Read and write, but hardware changes it too: writing back a stale value undoes the hardware.
     #[inline(always)]
@@ -3793,15 +3805,15 @@ impl Bdiag1H {
     pub const fn ncrcerr(self) -> bool {
         regbus::bits::get(self.0 as u32, 5, 1) != 0
     }
-    /// This value with another `NCRCERR`: The CRC of a received message did not match the CRC calculated from its data.
+    /// This value with another `NCRCERR`: CRC error at the nominal bit rate: the CRC received differs from the one computed over the frame.
     #[inline(always)]
     #[must_use]
     pub const fn with_ncrcerr(self, value: bool) -> Self {
         Self(regbus::bits::put(self.0 as u32, 5, 1, value as u32) as u16)
     }
-    /// `NCRCERR` (bit 5, `rwh`): The CRC of a received message did not match the CRC calculated from its data.
+    /// `NCRCERR` (bit 5, `rwh`): CRC error at the nominal bit rate: the CRC received differs from the one computed over the frame.
     pub const NCRCERR: Self = Self(0x0020);
-    /// `NSTUFERR` (bit 4, `rwh`): More than five equal bits in a row in a part of a received message where that is not allowed.
+    /// `NSTUFERR` (bit 4, `rwh`): Stuff error at the nominal bit rate: a received frame had six or more equal bits in a row where bit stuffing rules them out.
     ///
     /// Read and write, but hardware changes it too: writing back a stale value undoes the hardware.
     #[inline(always)]
@@ -3809,15 +3821,15 @@ impl Bdiag1H {
     pub const fn nstuferr(self) -> bool {
         regbus::bits::get(self.0 as u32, 4, 1) != 0
     }
-    /// This value with another `NSTUFERR`: More than five equal bits in a row in a part of a received message where that is not allowed.
+    /// This value with another `NSTUFERR`: Stuff error at the nominal bit rate: a received frame had six or more equal bits in a row where bit stuffing rules them out.
     #[inline(always)]
     #[must_use]
     pub const fn with_nstuferr(self, value: bool) -> Self {
         Self(regbus::bits::put(self.0 as u32, 4, 1, value as u32) as u16)
     }
-    /// `NSTUFERR` (bit 4, `rwh`): More than five equal bits in a row in a part of a received message where that is not allowed.
+    /// `NSTUFERR` (bit 4, `rwh`): Stuff error at the nominal bit rate: a received frame had six or more equal bits in a row where bit stuffing rules them out.
     pub const NSTUFERR: Self = Self(0x0010);
-    /// `NFORMERR` (bit 3, `rwh`): A part of a received frame that has a fixed format had the wrong one.
+    /// `NFORMERR` (bit 3, `rwh`): Form error at the nominal bit rate: a field of fixed form in a received frame held other bits than it must.
     ///
     /// Read and write, but hardware changes it too: writing back a stale value undoes the hardware.
     #[inline(always)]
@@ -3825,15 +3837,15 @@ impl Bdiag1H {
     pub const fn nformerr(self) -> bool {
         regbus::bits::get(self.0 as u32, 3, 1) != 0
     }
-    /// This value with another `NFORMERR`: A part of a received frame that has a fixed format had the wrong one.
+    /// This value with another `NFORMERR`: Form error at the nominal bit rate: a field of fixed form in a received frame held other bits than it must.
     #[inline(always)]
     #[must_use]
     pub const fn with_nformerr(self, value: bool) -> Self {
         Self(regbus::bits::put(self.0 as u32, 3, 1, value as u32) as u16)
     }
-    /// `NFORMERR` (bit 3, `rwh`): A part of a received frame that has a fixed format had the wrong one.
+    /// `NFORMERR` (bit 3, `rwh`): Form error at the nominal bit rate: a field of fixed form in a received frame held other bits than it must.
     pub const NFORMERR: Self = Self(0x0008);
-    /// `NACKERR` (bit 2, `rwh`): A transmitted message was not acknowledged.
+    /// `NACKERR` (bit 2, `rwh`): No node acknowledged a transmitted message.
     ///
     /// Read and write, but hardware changes it too: writing back a stale value undoes the hardware.
     #[inline(always)]
@@ -3841,13 +3853,13 @@ impl Bdiag1H {
     pub const fn nackerr(self) -> bool {
         regbus::bits::get(self.0 as u32, 2, 1) != 0
     }
-    /// This value with another `NACKERR`: A transmitted message was not acknowledged.
+    /// This value with another `NACKERR`: No node acknowledged a transmitted message.
     #[inline(always)]
     #[must_use]
     pub const fn with_nackerr(self, value: bool) -> Self {
         Self(regbus::bits::put(self.0 as u32, 2, 1, value as u32) as u16)
     }
-    /// `NACKERR` (bit 2, `rwh`): A transmitted message was not acknowledged.
+    /// `NACKERR` (bit 2, `rwh`): No node acknowledged a transmitted message.
     pub const NACKERR: Self = Self(0x0004);
     /// `NBIT1ERR` (bit 1, `rwh`): Outside the arbitration field a recessive bit was sent but the bus was dominant.
     ///
@@ -3909,7 +3921,7 @@ impl<B: regbus::Bus + crate::guards::Bdiag1HHasNoModify> regbus::Modify<B> for B
 ///
 /// The manual contradicts itself (`register_headings`): Damaged headings. Taken: The registers as the bit tables show them. Because: Nothing but the headings is affected.
 ///
-/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-50; Register 3-51; §8.1; external: mcp251xfd (offset)
+/// *CAN Flexible Data-Rate (FD) Protocol Module*, Register 3-50; Register 3-51; §8.1; §8.2; external: mcp251xfd (offset); external: mcp251xfd\_api (offset with fewer FIFOs)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct FltCon(u16);
@@ -3973,7 +3985,7 @@ impl FltCon {
     }
     /// The bits of all lanes of `FLTEN{n}`.
     pub const FLTEN_ALL: Self = Self(0x8080);
-    /// `F{n}BP` (2 lanes, the first at bits 4:0, `rw`): FIFO that stores the messages filter n accepts. Pointing to a transmit FIFO with RTREN set, a matching remote frame requests its transmission.
+    /// `F{n}BP` (2 lanes, the first at bits 4:0, `rw`): FIFO that stores the messages filter n accepts. If it is a transmit FIFO with RTREN set, a matching remote frame requests its transmission; a message for a transmit FIFO with RTREN clear is discarded.
     ///
     /// # Panics
     ///
@@ -3989,7 +4001,7 @@ impl FltCon {
             ) as u8,
         )
     }
-    /// This value with another `F{n}BP`: FIFO that stores the messages filter n accepts. Pointing to a transmit FIFO with RTREN set, a matching remote frame requests its transmission.
+    /// This value with another `F{n}BP`: FIFO that stores the messages filter n accepts. If it is a transmit FIFO with RTREN set, a matching remote frame requests its transmission; a message for a transmit FIFO with RTREN clear is discarded.
     ///
     /// # Panics
     ///
@@ -4131,9 +4143,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Canclkcon {
 ///
 /// Hazard: Before FRESET of a transmit FIFO no transmission may be pending; before FRESET of a receive FIFO no enabled filter may point to it. Afterwards wait until FRESET reads 0. In Configuration mode it stays 1.
 ///
-/// Hazard: Loading a message into a full FIFO can corrupt one that is being sent; check TFNRFNIF first.
+/// Hazard: Writing into a full FIFO can damage a message that is being sent; check TFNRFNIF first.
 ///
-/// No `modify`: `FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `FifoConL` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -4541,21 +4553,21 @@ impl FifoSta {
     }
     /// `TXABT` (bit 7, `ro+rc`): The message was aborted (1) or completed (0). Reset by any read of this register and when the FIFO is reset.
     pub const TXABT: Self = Self(0x0080);
-    /// `TXLARB` (bit 6, `ro`): The message lost arbitration while being sent. Updated when a message completes or aborts and when the FIFO is reset.
+    /// `TXLARB` (bit 6, `ro`): Another node won the arbitration against the message. Renewed with every message that completes or aborts, and by a reset of the FIFO.
     #[inline(always)]
     #[must_use]
     pub const fn txlarb(self) -> bool {
         regbus::bits::get(self.0 as u32, 6, 1) != 0
     }
-    /// `TXLARB` (bit 6, `ro`): The message lost arbitration while being sent. Updated when a message completes or aborts and when the FIFO is reset.
+    /// `TXLARB` (bit 6, `ro`): Another node won the arbitration against the message. Renewed with every message that completes or aborts, and by a reset of the FIFO.
     pub const TXLARB: Self = Self(0x0040);
-    /// `TXERR` (bit 5, `ro`): A bus error occurred while the message was being sent. Updated when a message completes or aborts and when the FIFO is reset.
+    /// `TXERR` (bit 5, `ro`): Sending the message met a bus error. Renewed with every message that completes or aborts, and by a reset of the FIFO.
     #[inline(always)]
     #[must_use]
     pub const fn txerr(self) -> bool {
         regbus::bits::get(self.0 as u32, 5, 1) != 0
     }
-    /// `TXERR` (bit 5, `ro`): A bus error occurred while the message was being sent. Updated when a message completes or aborts and when the FIFO is reset.
+    /// `TXERR` (bit 5, `ro`): Sending the message met a bus error. Renewed with every message that completes or aborts, and by a reset of the FIFO.
     pub const TXERR: Self = Self(0x0020);
     /// `TXATIF` (bit 4, `w0c`): The transmit attempts are exhausted. Cleared by the application. Reads 0 on a receive FIFO.
     ///

@@ -275,23 +275,37 @@ pub(crate) const BUFFER_COUNT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 ///
 /// Used by [`Fctrl::dmabs`](crate::registers::Fctrl::dmabs).
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §9.3 p.57; external: faq\_665; external: driver\_dmabs
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §9.3 p.57; external: faq\_665; external: driver\_dmabs; external: driver\_icode
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum BufferCount {
     /// 0: 4 buffers.
+    ///
+    /// Stands for 4.
     Buffers4 = 0,
     /// 1: 6 buffers.
+    ///
+    /// Stands for 6.
     Buffers6 = 1,
     /// 2: 8 buffers.
+    ///
+    /// Stands for 8.
     Buffers8 = 2,
     /// 3: 12 buffers.
+    ///
+    /// Stands for 12.
     Buffers12 = 3,
     /// 4: 16 buffers.
+    ///
+    /// Stands for 16.
     Buffers16 = 4,
     /// 5: 24 buffers.
+    ///
+    /// Stands for 24.
     Buffers24 = 5,
     /// 6: 32 buffers.
+    ///
+    /// Stands for 32.
     Buffers32 = 6,
 }
 impl BufferCount {
@@ -319,8 +333,73 @@ impl BufferCount {
     pub const fn bits(self) -> u8 {
         self as u8
     }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Buffers4 => Some(4),
+            Self::Buffers6 => Some(6),
+            Self::Buffers8 => Some(8),
+            Self::Buffers12 => Some(12),
+            Self::Buffers16 => Some(16),
+            Self::Buffers24 => Some(24),
+            Self::Buffers32 => Some(32),
+        }
+    }
 }
 regbus::enumeration!(BufferCount, BUFFER_COUNT_VALUES);
+pub(crate) const FILTER_NUMBER_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
+    name: "filter_number",
+    values: &[(0, 15, "filter")],
+    reserved: &[(16, 31)],
+};
+/// Number of an acceptance filter. There are sixteen, so the field never shows the other codes.
+///
+/// Reserved, never to be used: 16 to 31.
+///
+/// Used by [`Vec::filhit`](crate::registers::Vec::filhit).
+///
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §5.0 Buffer 5-8 p.37; §1.0 p.2
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FilterNumber {
+    /// 0 to 15: Acceptance filter of this number. It holds the value itself.
+    Filter(u8),
+}
+impl FilterNumber {
+    /// The value of a field's bits.
+    ///
+    /// # Errors
+    ///
+    /// The bits themselves, if they are reserved or have no name.
+    #[inline]
+    pub const fn from_bits(bits: u8) -> Result<Self, u8> {
+        match bits {
+            0..=15 => Ok(Self::Filter(bits)),
+            _ => Err(bits),
+        }
+    }
+    /// The bits of the value.
+    ///
+    /// # Panics
+    ///
+    /// If a variant holds a value outside its range.
+    #[inline]
+    #[must_use]
+    pub const fn bits(self) -> u8 {
+        match self {
+            Self::Filter(value) => {
+                regbus::bits::within(
+                    value as u32,
+                    0,
+                    15,
+                    "FilterNumber::Filter takes 0..=15",
+                ) as u8
+            }
+        }
+    }
+}
+regbus::enumeration!(FilterNumber, FILTER_NUMBER_VALUES);
 pub(crate) const INTERRUPT_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "interrupt_code",
     values: &[
@@ -334,7 +413,7 @@ pub(crate) const INTERRUPT_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enu
     ],
     reserved: &[(32, 63), (69, 127)],
 };
-/// Codes of the event interrupt. The page that lists them is missing from the available copy of the manual.
+/// Codes of the event interrupt. The page that lists them is missing from the cited copy.
 ///
 /// Reserved, never to be used: 32 to 63, 69 to 127.
 ///

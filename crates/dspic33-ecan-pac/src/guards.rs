@@ -47,11 +47,11 @@ pub trait RxfulHasNoModify: sealed::Never {}
     note = "use `clear(flags)`: one store that touches only these flags"
 )]
 pub trait RxovfHasNoModify: sealed::Never {}
-/// `TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait TrConHasNoModify: sealed::Never {}
 /// `buf_pnt` is visible only in the window `filter`; reach it through the guard: `filter_window(|w| w.buf_pnt(..))`, which opens the window, and closes it when the closure returns.

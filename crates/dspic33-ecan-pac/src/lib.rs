@@ -26,7 +26,7 @@
 //!
 //! # About the manual
 //!
-//! The manual prints no address at all; every offset here comes from an outside source that is cited with each register. The copy that was available lacks the printed pages 15, 25, 27, 29, 32, 34, 51 and 70, and with them the pages of CxCFG1, CxFCTRL, CxINTF, CxVEC, CxTRmnCON and of the message buffer words 0 and 1. These are restored from the register maps, the text, the figures and the examples of the manual itself, and where those are silent from cited outside sources. In all six register maps the columns Bit 1, Bit 0 and All Resets are cut off, several figures have lost their content, and the copy ends with page 76.
+//! The manual prints no address at all; every offset here comes from an outside source that is cited with each register. The cited copy lacks the printed pages 15, 25, 27, 29, 32, 34, 51 and 70, and with them the pages of CxCFG1, CxFCTRL, CxINTF, CxVEC, CxTRmnCON and of the message buffer words 0 and 1. These are restored from the register maps, the text, the figures and the examples of the manual itself, and where those are silent from cited outside sources. In all six register maps the columns Bit 1, Bit 0 and All Resets are cut off, and several figures have lost their content.
 //!
 //! # Features
 //!
@@ -39,18 +39,16 @@
     clippy::identity_op,
     clippy::module_inception,
     clippy::unnecessary_cast,
+    rustdoc::redundant_explicit_links,
     reason = "one form of body serves all widths"
 )]
-#![allow(
-    rustdoc::redundant_explicit_links,
-    reason = "links are explicit wherever they are generated"
-)]
+#[rustfmt::skip]
 pub mod enums;
+#[rustfmt::skip]
 pub mod guards;
+#[rustfmt::skip]
 pub mod instances;
-pub mod messages;
-#[cfg(feature = "meta")]
-pub mod meta;
+#[rustfmt::skip]
 pub mod manual_notes {
     //! Where the manual contradicts itself or is silent, and what is taken.
     //!
@@ -62,7 +60,7 @@ pub mod manual_notes {
     //!
     //! About [`CFG1`](crate::registers::Cfg1), [`CFG1.SJW`](crate::registers::Cfg1::sjw), [`CFG1.BRP`](crate::registers::Cfg1::brp).
     //!
-    //! - Register 4-1 p.15: Nothing; the copy goes from page 14 to page 16.
+    //! - Register 4-1 p.15: Nothing; page 15 is missing.
     //! - Table 3-1 p.9: SJW\[1:0\] followed by BRP\[5:0\], with nothing else in the register.
     //! - Figure 6-1 p.38: BRP is CxCFG1\[5:0\], SJW is CxCFG1\[7:6\]; prescalers 1:1 to 1:64.
     //! - §6.3 p.39: SJW is CxCFG1\[7:6\], 1 to 4 time quanta.
@@ -75,7 +73,7 @@ pub mod manual_notes {
     //!
     //! About [`FCTRL`](crate::registers::Fctrl), [`FCTRL.DMABS`](crate::registers::Fctrl::dmabs), [`FCTRL.FSA`](crate::registers::Fctrl::fsa), [`buffer_count`](crate::enums::BufferCount).
     //!
-    //! - Register 4-18 p.25: Nothing; the copy goes from page 24 to page 26.
+    //! - Register 4-18 p.25: Nothing; page 25 is missing.
     //! - §9.2 p.55: DMABS is CxFCTRL\[15:13\] and selects 4, 6, 8, 12, 16, 24 or 32 buffers.
     //! - §9.3 p.57: FSA is CxFCTRL\[4:0\]; DMABS = 011 allocates 12 buffers.
     //! - external: faq\_665: DMABS = 000 means 4 buffers.
@@ -88,7 +86,7 @@ pub mod manual_notes {
     //!
     //! About [`INTF`](crate::registers::Intf).
     //!
-    //! - Register 4-20 p.27: Nothing; the copy goes from page 26 to page 28.
+    //! - Register 4-20 p.27: Nothing; page 27 is missing.
     //! - Table 3-1 p.9: The names of the bits in order, without the unimplemented positions and without bits 1 and 0.
     //! - §11.2.1 p.68: TXBP is bit 12 and ERRIF bit 5; the following sections give bits 13, 11, 10, 9 and 8.
     //! - §9.2.5 p.57: RBIF is bit 1 and RBOVIF bit 2.
@@ -102,12 +100,12 @@ pub mod manual_notes {
     //!
     //! About [`VEC`](crate::registers::Vec), [`VEC.ICODE`](crate::registers::Vec::icode), [`VEC.FILHIT`](crate::registers::Vec::filhit), [`interrupt_code`](crate::enums::InterruptCode).
     //!
-    //! - Register 4-22 p.29: Nothing; the copy goes from page 28 to page 30.
+    //! - Register 4-22 p.29: Nothing; page 29 is missing.
     //! - Table 3-1 p.9: FILHIT\[4:0\] above ICODE\[6:0\].
     //! - §12.3 p.69: ICODE is CxVEC\[6:0\] and shows the highest-priority condition that is enabled and active.
     //! - external: driver\_icode: The codes.
     //!
-    //! Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Map, text and device header agree on the positions, and no other table of codes is available.
+    //! Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Map, text and device header agree on the positions, and no other table of codes is known.
     //!
     //! ## `lost_trmncon_page`
     //!
@@ -115,7 +113,7 @@ pub mod manual_notes {
     //!
     //! About [`TRCON`](crate::registers::TrCon).
     //!
-    //! - Register 4-25 p.32: Nothing; the copy goes from page 31 to page 33.
+    //! - Register 4-25 p.32: Nothing; page 32 is missing.
     //! - Table 3-2 p.9: The bits of the odd buffer from TXEN down to TXnPRI, then those of the even buffer.
     //! - §8.1 p.43: TXREQ, TXERR and TXLARB and how they change; TXABT does not appear in the text.
     //! - external: frm\_dspic30f: TXABT, TXLARB and TXERR are read-only and cleared when TXREQ is set; clearing TXREQ aborts.
@@ -128,7 +126,7 @@ pub mod manual_notes {
     //!
     //! About [`TX_BUFFER.WORD0`](crate::messages::TxBufferWord0), [`TX_BUFFER.WORD1`](crate::messages::TxBufferWord1), [`RX_BUFFER.WORD0`](crate::messages::RxBufferWord0).
     //!
-    //! - Register 5-1 p.34: Nothing; the copy goes from page 33 to page 35.
+    //! - §5.0 Buffer 5-1 p.34: Nothing; page 34 is missing.
     //! - Figure 8-1 p.44: SID\[10:0\], SRR and IDE in word 0, EID\[17:6\] in word 1.
     //! - Example 8-2 p.46: SID 0x48F, SRR 0 and IDE 1 make 0x123D.
     //! - Example 8-3 p.49: SID 0x48F, SRR 1 and IDE 1 make 0x123F.
@@ -140,7 +138,7 @@ pub mod manual_notes {
     //!
     //! The rest of Figure 9-1 and section 9.1.1 are missing.
     //!
-    //! - §9.1.1 p.51: Nothing; the copy goes from page 50 to page 52.
+    //! - §9.1.1 p.51: Nothing; page 51 is missing.
     //! - §9.1 p.50: An incoming message goes to the message assembly buffer and is compared with the 16 filters.
     //!
     //! Taken: Reception as in sections 9.1, 9.1.2, 9.1.3 and 9.2. They describe the whole path without the missing section.
@@ -151,7 +149,7 @@ pub mod manual_notes {
     //!
     //! About [`INTF.RBOVIF`](crate::registers::Intf::rbovif), [`INTF.FIFOIF`](crate::registers::Intf::fifoif), [`INTF.ERRIF`](crate::registers::Intf::errif), [`INTF.WAKIF`](crate::registers::Intf::wakif), [`INTF.IVRIF`](crate::registers::Intf::ivrif).
     //!
-    //! - §12.3.3 p.70: Nothing; the copy goes from page 69 to page 71.
+    //! - §12.3.3 p.70: Nothing; page 70 is missing.
     //! - Figure 12-1 p.71: The sources of all seven event interrupts.
     //! - §12.3 p.69: Five error states can set ERRIF, which is cleared by software.
     //!
@@ -195,14 +193,26 @@ pub mod manual_notes {
     //!
     //! ## `scrambled_equation_6_1`
     //!
-    //! The formula of Equation 6-1 is out of order.
+    //! The formulas of Equations 6-1 and 6-2 are out of order.
     //!
     //! About [`CFG1.BRP`](crate::registers::Cfg1::brp).
     //!
     //! - Equation 6-1 p.40: The symbols FTQ, N, FBAUD and the equals sign without an operator.
-    //! - Example 6-1 p.40: With FBAUD 1 Mbit/s and N = 20, FTQ is 20 MHz.
+    //! - Example 6-1 p.40: With FBAUD 1 Mbit/s and N = 20, FTQ is 20 MHz; with FCY 40 MHz, BRP is FCY divided by twice FTQ, less 1, which is 0.
+    //! - Equation 6-2 p.40: FCY stands beside 2 × FTQ in brackets, without a fraction bar.
     //!
-    //! Taken: FTQ = N × FBAUD. The example and note 1 of the equation fit only that.
+    //! Taken: FTQ = N × FBAUD and BRP = FCY / (2 × FTQ) - 1. The example and note 1 of Equation 6-1 fit only that.
+    //!
+    //! ## `example_6_2_clock`
+    //!
+    //! A comment of Example 6-2 names a clock that does not exist.
+    //!
+    //! About [`CFG1.BRP`](crate::registers::Cfg1::brp).
+    //!
+    //! - Example 6-2 p.41: A time quantum is 2 × 1 × 1 divided by FCAN.
+    //! - Figure 6-1 p.38: The prescaler divides half of FCY.
+    //!
+    //! Taken: FCY. Equation 6-2 uses it too, and the module has no clock of its own.
     //!
     //! ## `damaged_code`
     //!
@@ -211,6 +221,7 @@ pub mod manual_notes {
     //! - Example 9-2 p.54: Assignments with the equals sign behind the value, and binary numbers whose last digits stand elsewhere.
     //! - Example 6-2 p.41: The inequality operator is split by a blank.
     //! - Example 10-1 p.64: A misspelt attribute and a structure access without its dot.
+    //! - Register 4-13 p.22: The name F14BP stands behind the description of the field; the last code range of Table 9-5 lacks its "to" between the codes.
     //!
     //! Taken: The evident meaning. None of it can be compiled as printed.
     //!
@@ -284,6 +295,17 @@ pub mod manual_notes {
     //!
     //! Taken: 1; word 0 of Example 8-2 becomes 0x123F. CAN requires a recessive SRR, and the revision history names the correction.
     //!
+    //! ## `upper_half_numbering`
+    //!
+    //! Bit numbers above 15 in registers of 16 bits.
+    //!
+    //! About [`RXFUL.RXFUL`](crate::registers::Rxful::rxful), [`RXOVF.RXOVF`](crate::registers::Rxovf::rxovf).
+    //!
+    //! - §9.2.5 p.57: Buffers 16 to 31 have bits 31 to 16 of CxRXFUL2 and CxRXOVF2.
+    //! - Register 4-15 p.23: RXFUL\[31:16\] in bits 15 to 0; Register 4-17 has RXOVF the same way.
+    //!
+    //! Taken: Buffer 16 + i has bit i of the second register. The section counts buffers, the register pages count bits.
+    //!
     //! ## `error_passive_limit`
     //!
     //! Three limits for error passive.
@@ -307,14 +329,25 @@ pub mod manual_notes {
     //!
     //! Taken: Both counters below 128. The state and its flag must change together, and CAN 2.0B says the same.
     //!
+    //! ## `segment2_automatic`
+    //!
+    //! What phase segment 2 is when it is not programmable.
+    //!
+    //! About [`CFG2.SEG2PHTS`](crate::registers::Cfg2::seg2phts).
+    //!
+    //! - §6.1 p.38: It is given by phase segment 1.
+    //! - Register 4-2 p.16: The longer of phase segment 1 and the information processing time.
+    //!
+    //! Taken: The longer of the two. The register page is the exact one, and the two differ only for a phase segment 1 shorter than that time.
+    //!
     //! ## `segment2_and_jump_width`
     //!
     //! Phase segment 2 has to be longer than the jump width, or at least as long.
     //!
     //! About [`CFG2.SEG2PH`](crate::registers::Cfg2::seg2ph), [`CFG1.SJW`](crate::registers::Cfg1::sjw).
     //!
-    //! - §6.3 p.39: The jump width should not be longer than phase segment 2.
-    //! - Equation 6-2 p.40: Phase segment 2 must be greater than the jump width.
+    //! - §6.3 p.39: A jump width above phase segment 2 is to be avoided.
+    //! - Equation 6-2 p.40: Phase segment 2 has to exceed the jump width.
     //!
     //! Taken: A jump width longer than phase segment 2 is wrong; equality draws a warning. CAN needs only the weaker rule, and the manual's example keeps both.
     //!
@@ -464,7 +497,7 @@ pub mod manual_notes {
     //!
     //! - §8.0 p.43: In section 2.0.
     //! - §10.1 p.64: In section 2.0.
-    //! - Register 5-3 p.35: Here, in section 5.0.
+    //! - §5.0 Buffer 5-3 p.35: Here, in section 5.0.
     //!
     //! Taken: Section 5.0; section 2.0 describes the frames on the bus. Section 2.0 has no word of the buffers.
     //!
@@ -699,7 +732,7 @@ pub mod manual_notes {
     //!
     //! Do the pins take part in Loopback mode?
     //!
-    //! Nearest words: The transmit path is connected to the receive path inside the module.
+    //! Nearest words: Inside the module the transmit path feeds the receive path.
     //!
     //! Choice: CxTX stays recessive and CxRX is ignored.
     //!
@@ -781,7 +814,7 @@ pub mod manual_notes {
     //!
     //! About [`TRCON.TXLARB`](crate::registers::TrCon::txlarb), [`TRCON.TXREQ`](crate::registers::TrCon::txreq).
     //!
-    //! Nearest words: The message was not retransmitted after loss of arbitration.
+    //! Nearest words: The message lost arbitration and was not sent again.
     //!
     //! Choice: Not yet; it is still pending and will be tried again.
     //!
@@ -879,7 +912,7 @@ pub mod manual_notes {
     //!
     //! About [`RX_BUFFER`](crate::messages::RxBuffer).
     //!
-    //! Nearest words: Eight words are transferred for every message.
+    //! Nearest words: Every message moves as eight words.
     //!
     //! Choice: 0.
     //!
@@ -933,7 +966,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFO.FNRB`](crate::registers::Fifo::fnrb), [`RXFUL.RXFUL`](crate::registers::Rxful::rxful).
     //!
-    //! Nearest words: When an RXFUL bit is cleared, the number of that buffer plus one is written.
+    //! Nearest words: Clearing an RXFUL bit writes the number of its buffer plus one.
     //!
     //! Choice: No; only buffers from FSA to the last one count.
     //!
@@ -955,7 +988,7 @@ pub mod manual_notes {
     //!
     //! About [`INTF.FIFOIF`](crate::registers::Intf::fifoif).
     //!
-    //! Nearest words: It is checked as RXFUL is set for the buffer just written.
+    //! Nearest words: It is checked when RXFUL of a stored message is set.
     //!
     //! Choice: No.
     //!
@@ -1247,7 +1280,15 @@ pub mod manual_notes {
     //!
     //! Choice: It is reported; the frame on the bus breaks off, and the mode stays as it was.
 }
+#[rustfmt::skip]
+pub mod messages;
+#[cfg(feature = "meta")]
+#[rustfmt::skip]
+pub mod meta;
+#[rustfmt::skip]
 mod peripheral;
+#[rustfmt::skip]
 pub mod registers;
+#[rustfmt::skip]
 pub use peripheral::{Dspic33Ecan, FilterWindow};
 pub use regbus::{Bus, Mmio, Reg};

@@ -7,9 +7,9 @@ use regbus::{Bus, Mmio, Payload, Reg};
 use regbus::meta::{Access, Field};
 /// Word `WORD0` of a Message buffer, as software writes it for transmission, at byte 0x0.
 ///
-/// Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1 is missing from the available copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to 8-3.
+/// Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1 is missing from the cited copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to 8-3.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Figure 8-1 p.44; Example 8-1 p.45; Example 8-2 p.46; Example 8-3 p.49; Register 5-1 p.34; external: frm\_dspic33e (meaning of SRR); external: datasheet\_dspic33e (bit positions)
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Figure 8-1 p.44; Example 8-1 p.45; Example 8-2 p.46; Example 8-3 p.49; §5.0 Buffer 5-1 p.34; external: frm\_dspic33e (meaning of SRR); external: datasheet\_dspic33e (bit positions)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxBufferWord0(u16);
@@ -89,9 +89,9 @@ impl<B: Bus> regbus::Modify<B> for TxBufferWord0 {
 }
 /// Word `WORD1` of a Message buffer, as software writes it for transmission, at byte 0x2.
 ///
-/// Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the available copy.
+/// Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the cited copy.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Figure 8-1 p.44; Example 8-2 p.46; Register 5-2 p.34; external: datasheet\_dspic33e (bit positions)
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Figure 8-1 p.44; Example 8-2 p.46; §5.0 Buffer 5-2 p.34; external: datasheet\_dspic33e (bit positions)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxBufferWord1(u16);
@@ -141,7 +141,7 @@ impl<B: Bus> regbus::Modify<B> for TxBufferWord1 {
 ///
 /// Low part of an extended identifier, frame type and data length.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 5-3 p.35
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §5.0 Buffer 5-3 p.35
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxBufferWord2(u16);
@@ -275,7 +275,7 @@ impl<B: Bus> regbus::Modify<B> for TxBufferWord2 {
 ///
 /// Transferred with the others, but not used for transmission.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 5-8 p.37
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §5.0 Buffer 5-8 p.37
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct TxBufferWord7(u16);
@@ -291,7 +291,7 @@ impl<B: Bus> regbus::Modify<B> for TxBufferWord7 {
 }
 /// Message buffer, as software writes it for transmission.
 ///
-/// Eight words in DMA RAM; transmit and receive buffers have the same layout. Eight words are transferred for every message whatever its DLC. Only the buffers 0 to 7 can transmit.
+/// Eight words in DMA RAM; transmit and receive buffers have the same layout. Every message moves as eight words, whatever its DLC. Only the buffers 0 to 7 can transmit.
 ///
 /// Sections of memory: `buffers`.
 ///
@@ -328,7 +328,7 @@ impl<B: Bus> TxBuffer<B> {
     pub const BYTES: usize = 16;
     /// Word `WORD0`.
     ///
-    /// Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1 is missing from the available copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to 8-3.
+    /// Standard identifier and format. Bits 15 to 13 do not matter. The page of Buffer 5-1 is missing from the cited copy; the positions follow from Figure 8-1 and from the values of Examples 8-1 to 8-3.
     #[inline(always)]
     #[must_use]
     pub fn word0(&self) -> Reg<TxBufferWord0, B> {
@@ -336,7 +336,7 @@ impl<B: Bus> TxBuffer<B> {
     }
     /// Word `WORD1`.
     ///
-    /// Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the available copy.
+    /// Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the cited copy.
     #[inline(always)]
     #[must_use]
     pub fn word1(&self) -> Reg<TxBufferWord1, B> {
@@ -436,9 +436,9 @@ impl<B: Bus> TxBuffer<B> {
 }
 /// Word `WORD0` of a Message buffer, as the module writes it on reception, at byte 0x0.
 ///
-/// Standard identifier and format of the received message. The page of Buffer 5-1 is missing from the available copy.
+/// Standard identifier and format of the received message. The page of Buffer 5-1 is missing from the cited copy.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Figure 8-1 p.44; Register 5-1 p.34; external: frm\_dspic33e (meaning of SRR)
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Figure 8-1 p.44; §5.0 Buffer 5-1 p.34; external: frm\_dspic33e (meaning of SRR)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct RxBufferWord0(u16);
@@ -520,7 +520,7 @@ impl<B: Bus> regbus::Modify<B> for RxBufferWord0 {
 ///
 /// Low part of an extended identifier, frame type and data length of the received message.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 5-3 p.35
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §5.0 Buffer 5-3 p.35
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct RxBufferWord2(u16);
@@ -646,44 +646,31 @@ impl<B: Bus> regbus::Modify<B> for RxBufferWord2 {
 ///
 /// Filter number.
 ///
-/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Register 5-8 p.37
+/// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, §5.0 Buffer 5-8 p.37
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct RxBufferWord7(u16);
 pub(crate) const RX_BUFFER_WORD7_FIELDS: &[Field] = &[
-    Field::new("FILHIT", 8, 5, Access::Rw).limits(0, 15),
+    Field::new("FILHIT", 8, 5, Access::Rw).values(crate::enums::FILTER_NUMBER_VALUES),
 ];
 regbus::register!(RxBufferWord7, u16, "RX_BUFFER.WORD7", 0x0000, RX_BUFFER_WORD7_FIELDS);
 impl RxBufferWord7 {
     /// `FILHIT` (bits 12:8, `rw`): Number of the filter that caused the message to be stored here, 0 to 15. Written by the module for receive buffers only.
     ///
-    /// May be programmed with 0 to 15.
+    /// # Errors
+    ///
+    /// The bits themselves, if they are reserved or have no name.
     #[inline(always)]
-    #[must_use]
-    pub const fn filhit(self) -> u8 {
-        regbus::bits::get(self.0 as u32, 8, 5) as u8
+    pub const fn filhit(self) -> Result<crate::enums::FilterNumber, u8> {
+        crate::enums::FilterNumber::from_bits(
+            regbus::bits::get(self.0 as u32, 8, 5) as u8,
+        )
     }
     /// This value with another `FILHIT`: Number of the filter that caused the message to be stored here, 0 to 15. Written by the module for receive buffers only.
-    ///
-    /// # Panics
-    ///
-    /// If the value is not in 0..=15.
     #[inline(always)]
     #[must_use]
-    pub const fn with_filhit(self, value: u8) -> Self {
-        Self(
-            regbus::bits::put(
-                self.0 as u32,
-                8,
-                5,
-                regbus::bits::within(
-                    value as u32,
-                    0,
-                    15,
-                    "RX_BUFFER.WORD7.FILHIT takes 0..=15",
-                ),
-            ) as u16,
-        )
+    pub const fn with_filhit(self, value: crate::enums::FilterNumber) -> Self {
+        Self(regbus::bits::put(self.0 as u32, 8, 5, value.bits() as u32) as u16)
     }
 }
 impl regbus::Readable for RxBufferWord7 {}
@@ -733,7 +720,7 @@ impl<B: Bus> RxBuffer<B> {
     pub const BYTES: usize = 16;
     /// Word `WORD0`.
     ///
-    /// Standard identifier and format of the received message. The page of Buffer 5-1 is missing from the available copy.
+    /// Standard identifier and format of the received message. The page of Buffer 5-1 is missing from the cited copy.
     #[inline(always)]
     #[must_use]
     pub fn word0(&self) -> Reg<RxBufferWord0, B> {
@@ -741,7 +728,7 @@ impl<B: Bus> RxBuffer<B> {
     }
     /// Word `WORD1`.
     ///
-    /// Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the available copy.
+    /// Middle part of an extended identifier. Bits 15 to 12 do not matter. The page of Buffer 5-2 is missing from the cited copy.
     #[inline(always)]
     #[must_use]
     pub fn word1(&self) -> Reg<TxBufferWord1, B> {

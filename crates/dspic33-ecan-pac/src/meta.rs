@@ -805,7 +805,7 @@ pub static CONTROLLER: Controller = Controller {
         },
         Effect {
             on: 6,
-            doc: "A new request clears the buffer's record of lost arbitration.",
+            doc: "A new request clears the record of lost arbitration of the same buffer.",
             resets: &[],
             resets_fields: &[],
             loads: &[],
@@ -822,7 +822,7 @@ pub static CONTROLLER: Controller = Controller {
         },
         Effect {
             on: 6,
-            doc: "A new request clears the buffer's records of an abort and of a bus error.",
+            doc: "A new request clears the records of an abort and of a bus error of the same buffer.",
             resets: &[],
             resets_fields: &[],
             loads: &[],
@@ -1004,7 +1004,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[0],
             feeds: &[],
-            code: None,
+            code: Some((0, 7)),
         },
         InterruptSource {
             name: "rx_buffer",
@@ -1019,7 +1019,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[0],
             feeds: &[],
-            code: None,
+            code: Some((0, 31)),
         },
         InterruptSource {
             name: "rx_overflow",

@@ -203,23 +203,25 @@ impl<B: regbus::Bus> regbus::Modify<B> for Ctrl2 {
 ///
 /// `CxVEC`, 16 bits, offset `0x004`, reset `0x0000` (bits `0x1f7f` have no defined value).
 ///
-/// Interrupt cause in a form that can index a jump table. The register's page is missing from the available copy; fields and positions are those of the register maps and of the device header.
+/// Interrupt cause in a form that can index a jump table. The register's page is missing from the cited copy; fields and positions are those of the register maps and of the device header.
 ///
 /// # Fields
 ///
 /// | bits | field | access | reset | value |
 /// |---|---|---|---|---|
-/// | 12:8 | `FILHIT` | `ro` | x | 5 bits |
+/// | 12:8 | `FILHIT` | `ro` | x | [`FilterNumber`](crate::enums::FilterNumber) |
 /// | 6:0 | `ICODE` | `ro` | x | [`InterruptCode`](crate::enums::InterruptCode) |
 ///
-/// The manual contradicts itself (`lost_vec_page`): The page with Register 4-22 (CxVEC) and its table of codes is missing. Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Because: Map, text and device header agree on the positions, and no other table of codes is available.
+/// The manual contradicts itself (`lost_vec_page`): The page with Register 4-22 (CxVEC) and its table of codes is missing. Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Because: Map, text and device header agree on the positions, and no other table of codes is known.
 ///
 /// *Enhanced Controller Area Network (CAN), dsPIC33F/PIC24H Family Reference Manual*, Table 3-1 p.9; §12.3 p.69; Register 4-22 p.29; external: header\_mc710 (bit positions); external: linker\_mc710 (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Vec(u16);
 pub(crate) const VEC_FIELDS: &[Field] = &[
-    Field::new("FILHIT", 8, 5, Access::Ro).reset(None).limits(0, 15),
+    Field::new("FILHIT", 8, 5, Access::Ro)
+        .reset(None)
+        .values(crate::enums::FILTER_NUMBER_VALUES),
     Field::new("ICODE", 0, 7, Access::Ro)
         .reset(None)
         .values(crate::enums::INTERRUPT_CODE_VALUES),
@@ -228,17 +230,20 @@ regbus::register!(Vec, u16, "VEC", 0x0000, VEC_FIELDS);
 impl Vec {
     /// `FILHIT` (bits 12:8, `ro`): Number of the filter that a message hit, 0 to 15. The manual explains the field only in word 7 of the message buffer; which message it belongs to here is not said.
     ///
-    /// May be programmed with 0 to 15.
+    /// The manual contradicts itself (`lost_vec_page`): The page with Register 4-22 (CxVEC) and its table of codes is missing. Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Because: Map, text and device header agree on the positions, and no other table of codes is known.
     ///
-    /// The manual contradicts itself (`lost_vec_page`): The page with Register 4-22 (CxVEC) and its table of codes is missing. Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Because: Map, text and device header agree on the positions, and no other table of codes is available.
+    /// # Errors
+    ///
+    /// The bits themselves, if they are reserved or have no name.
     #[inline(always)]
-    #[must_use]
-    pub const fn filhit(self) -> u8 {
-        regbus::bits::get(self.0 as u32, 8, 5) as u8
+    pub const fn filhit(self) -> Result<crate::enums::FilterNumber, u8> {
+        crate::enums::FilterNumber::from_bits(
+            regbus::bits::get(self.0 as u32, 8, 5) as u8,
+        )
     }
     /// `ICODE` (bits 6:0, `ro`): Code of the highest-priority interrupt condition whose flag and enable are both set. For transmit and receive interrupts it is the number of the buffer.
     ///
-    /// The manual contradicts itself (`lost_vec_page`): The page with Register 4-22 (CxVEC) and its table of codes is missing. Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Because: Map, text and device header agree on the positions, and no other table of codes is available.
+    /// The manual contradicts itself (`lost_vec_page`): The page with Register 4-22 (CxVEC) and its table of codes is missing. Taken: FILHIT in bits 12 to 8, ICODE in bits 6 to 0, codes from the outside source. Because: Map, text and device header agree on the positions, and no other table of codes is known.
     ///
     /// # Errors
     ///
@@ -261,7 +266,7 @@ impl<B: regbus::Bus + crate::guards::VecHasNoModify> regbus::Modify<B> for Vec {
 ///
 /// `CxFCTRL`, 16 bits, offset `0x006`, reset `0x0000` (bits `0xe01f` have no defined value).
 ///
-/// Number of message buffers and start of the receive FIFO. The FIFO ends with the last buffer. The register's page is missing from the available copy; fields and positions are restored from the text.
+/// Number of message buffers and start of the receive FIFO. The FIFO ends with the last buffer. The register's page is missing from the cited copy; fields and positions are restored from the text.
 ///
 /// Hazard: A FIFO that includes a transmit buffer loses every message meant for that buffer.
 ///
@@ -269,11 +274,11 @@ impl<B: regbus::Bus + crate::guards::VecHasNoModify> regbus::Modify<B> for Vec {
 ///
 /// Hazard: On some PIC24H silicon received data can land in the wrong buffer with peripheral indirect DMA (errata DS80000441J, item 17).
 ///
-/// A write is dangerous: The number of buffers decides how far behind DMAxSTA the receive DMA channel writes; a number larger than the memory set aside lets received messages overwrite other data.
+/// A write is dangerous: The receive DMA channel writes 16 bytes at DMAxSTA plus 16 times the buffer number. The memory set aside there must hold the number of buffers that DMABS gives and every buffer that a filter points at; otherwise received messages overwrite other data.
 ///
 /// # Safety of writes
 ///
-/// The number of buffers decides how far behind DMAxSTA the receive DMA channel writes; a number larger than the memory set aside lets received messages overwrite other data.
+/// The receive DMA channel writes 16 bytes at DMAxSTA plus 16 times the buffer number. The memory set aside there must hold the number of buffers that DMABS gives and every buffer that a filter points at; otherwise received messages overwrite other data.
 ///
 /// # Fields
 ///
@@ -412,7 +417,7 @@ impl<B: regbus::Bus + crate::guards::FifoHasNoModify> regbus::Modify<B> for Fifo
 ///
 /// `CxINTF`, 16 bits, offset `0x00a`, reset `0x0000` (bits `0x3fef` have no defined value).
 ///
-/// Event flags in the low byte, error state in the high byte. The register's page is missing from the available copy; the bits are restored from the register maps and from the sections on errors and interrupts.
+/// Event flags in the low byte, error state in the high byte. The register's page is missing from the cited copy; the bits are restored from the register maps and from the sections on errors and interrupts.
 ///
 /// Hazard: Clear a flag with one store of the complement of its bit. A read-modify-write also clears a flag that rose between the read and the write.
 ///
@@ -808,14 +813,14 @@ impl<B: regbus::Bus + crate::guards::EcHasNoModify> regbus::Modify<B> for Ec {
 ///
 /// `CxCFG1`, 16 bits, offset `0x010`, reset `0x0000` (bits `0x00ff` have no defined value).
 ///
-/// Prescaler and synchronization jump width. The register's page is missing from the available copy; the fields are restored from section 6.0 and the examples.
+/// Prescaler and synchronization jump width. The register's page is missing from the cited copy; the fields are restored from section 6.0 and the examples.
 ///
 /// # Fields
 ///
 /// | bits | field | access | reset | value |
 /// |---|---|---|---|---|
 /// | 7:6 | `SJW` | `rw:configuration` | x | 2 bits, in tq |
-/// | 5:0 | `BRP` | `rw:configuration` | x | 6 bits |
+/// | 5:0 | `BRP` | `rw:configuration` | x | 6 bits, in FCY/2 periods |
 ///
 /// The manual contradicts itself (`lost_cfg1_page`): The page with Register 4-1 (CxCFG1) is missing. Taken: SJW in bits 7 to 6 and BRP in bits 5 to 0, both read and write, value plus one, reset not known. Because: Map, figure, text and Example 6-2 agree, and the device header shows the same positions.
 ///
@@ -825,7 +830,10 @@ impl<B: regbus::Bus + crate::guards::EcHasNoModify> regbus::Modify<B> for Ec {
 pub struct Cfg1(u16);
 pub(crate) const CFG1_FIELDS: &[Field] = &[
     Field::new("SJW", 6, 2, Access::Rw).reset(None).encoding(1, 1, false, "tq").when(0),
-    Field::new("BRP", 0, 6, Access::Rw).reset(None).encoding(1, 1, false, "").when(0),
+    Field::new("BRP", 0, 6, Access::Rw)
+        .reset(None)
+        .encoding(1, 1, false, "FCY/2 periods")
+        .when(0),
 ];
 regbus::register!(Cfg1, u16, "CFG1", 0x0000, CFG1_FIELDS);
 impl Cfg1 {
@@ -860,19 +868,21 @@ impl Cfg1 {
             ) as u16,
         )
     }
-    /// `BRP` (bits 5:0, `rw:configuration`): Baud rate prescaler. A time quantum lasts 2 × (BRP + 1) instruction cycles of FCY.
+    /// `BRP` (bits 5:0, `rw:configuration`): Baud rate prescaler, 1 to 64. A time quantum lasts 2 × (BRP + 1) instruction cycles of FCY.
     ///
-    /// A write has an effect only if configuration (CTRL1.OPMODE == configuration). Means value + 1.
+    /// A write has an effect only if configuration (CTRL1.OPMODE == configuration). Means value + 1 FCY/2 periods.
     ///
     /// The manual contradicts itself (`lost_cfg1_page`): The page with Register 4-1 (CxCFG1) is missing. Taken: SJW in bits 7 to 6 and BRP in bits 5 to 0, both read and write, value plus one, reset not known. Because: Map, figure, text and Example 6-2 agree, and the device header shows the same positions.
     ///
-    /// The manual contradicts itself (`scrambled_equation_6_1`): The formula of Equation 6-1 is out of order. Taken: FTQ = N × FBAUD. Because: The example and note 1 of the equation fit only that.
+    /// The manual contradicts itself (`scrambled_equation_6_1`): The formulas of Equations 6-1 and 6-2 are out of order. Taken: FTQ = N × FBAUD and BRP = FCY / (2 × FTQ) - 1. Because: The example and note 1 of Equation 6-1 fit only that.
+    ///
+    /// The manual contradicts itself (`example_6_2_clock`): A comment of Example 6-2 names a clock that does not exist. Taken: FCY. Because: Equation 6-2 uses it too, and the module has no clock of its own.
     #[inline(always)]
     #[must_use]
     pub const fn brp(self) -> u8 {
         regbus::bits::get(self.0 as u32, 0, 6) as u8
     }
-    /// This value with another `BRP`: Baud rate prescaler. A time quantum lasts 2 × (BRP + 1) instruction cycles of FCY.
+    /// This value with another `BRP`: Baud rate prescaler, 1 to 64. A time quantum lasts 2 × (BRP + 1) instruction cycles of FCY.
     ///
     /// # Panics
     ///
@@ -991,6 +1001,8 @@ impl Cfg2 {
     /// `SEG2PHTS` (bit 7, `rw:configuration`): Chooses how long phase segment 2 is.
     ///
     /// A write has an effect only if configuration (CTRL1.OPMODE == configuration).
+    ///
+    /// The manual contradicts itself (`segment2_automatic`): What phase segment 2 is when it is not programmable. Taken: The longer of the two. Because: The register page is the exact one, and the two differ only for a phase segment 1 shorter than that time.
     #[inline(always)]
     #[must_use]
     pub const fn seg2phts(self) -> crate::enums::Cfg2Seg2phts {
@@ -1265,6 +1277,8 @@ impl Rxful {
     ///
     /// A flag: writing 0 clears it, writing 1 does nothing.
     ///
+    /// The manual contradicts itself (`upper_half_numbering`): Bit numbers above 15 in registers of 16 bits. Taken: Buffer 16 + i has bit i of the second register. Because: The section counts buffers, the register pages count bits.
+    ///
     /// # Panics
     ///
     /// If `n`, the number of the lane in this register, is not in 0..=15.
@@ -1340,6 +1354,8 @@ impl Rxovf {
     ///
     /// The manual contradicts itself (`rxovf_name`): The overflow bits have two names. Taken: RXOVF. Because: Registers and maps use it.
     ///
+    /// The manual contradicts itself (`upper_half_numbering`): Bit numbers above 15 in registers of 16 bits. Taken: Buffer 16 + i has bit i of the second register. Because: The section counts buffers, the register pages count bits.
+    ///
     /// # Panics
     ///
     /// If `n`, the number of the lane in this register, is not in 0..=15.
@@ -1386,7 +1402,7 @@ impl regbus::Clear for Rxovf {
 ///
 /// `CxTRCON`, 16 bits, offset `0x030`, 4 registers 0x2 bytes apart, numbered from 0, reset `0x0000` (bits `0xffff` have no defined value).
 ///
-/// Control of two of the buffers 0 to 7, the even one in the low byte and the odd one in the high byte. The register's page is missing from the available copy; the bits are restored from the register maps and section 8.
+/// Control of two of the buffers 0 to 7, the even one in the low byte and the odd one in the high byte. The register's page is missing from the cited copy; the bits are restored from the register maps and section 8.
 ///
 /// Visible only in the window buffer, while CTRL1.WIN is 0.
 ///
@@ -1396,7 +1412,7 @@ impl regbus::Clear for Rxovf {
 ///
 /// Hazard: Write the message to DMA RAM before TXREQ is set.
 ///
-/// No `modify`: `TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `TrCon` cannot be read-modified-written: hardware changes TXREQ between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -1836,15 +1852,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Txd {
 ///
 /// Visible only in the window filter, while CTRL1.WIN is 1.
 ///
+/// Hazard: The memory behind DMAxSTA must hold every buffer that a filter points at; see CxFCTRL.
+///
 /// Hazard: Code 15 is the FIFO. Message buffers 15 to 31 can be filled only through the FIFO.
 ///
 /// Hazard: A filter may point to a transmit buffer only for automatic answers to remote frames (TXEN = 1 and RTREN = 1).
-///
-/// A write is dangerous: The receive DMA channel writes 16 bytes at DMAxSTA plus 16 times the buffer number; a pointer to a buffer that has no memory lets received messages overwrite other data.
-///
-/// # Safety of writes
-///
-/// The receive DMA channel writes 16 bytes at DMAxSTA plus 16 times the buffer number; a pointer to a buffer that has no memory lets received messages overwrite other data.
 ///
 /// # Fields
 ///
@@ -1905,11 +1917,11 @@ impl BufPnt {
 }
 impl regbus::Readable for BufPnt {}
 impl regbus::Pure for BufPnt {}
-impl regbus::UnsafeWritable for BufPnt {}
+impl regbus::Writable for BufPnt {}
 impl<B: regbus::Bus> regbus::Modify<B> for BufPnt {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = true;
+    const UNSAFE: bool = false;
 }
 /// CAN Acceptance Filter Mask Standard Identifier Register.
 ///

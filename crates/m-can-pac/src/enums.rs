@@ -288,20 +288,36 @@ pub(crate) const DATA_FIELD_SIZE_VALUES: &regbus::meta::Enum = &regbus::meta::En
 #[repr(u8)]
 pub enum DataFieldSize {
     /// 0: 8 bytes; the element has 4 words.
+    ///
+    /// Stands for 8.
     Bytes8 = 0,
     /// 1: 12 bytes; the element has 5 words.
+    ///
+    /// Stands for 12.
     Bytes12 = 1,
     /// 2: 16 bytes; the element has 6 words.
+    ///
+    /// Stands for 16.
     Bytes16 = 2,
     /// 3: 20 bytes; the element has 7 words.
+    ///
+    /// Stands for 20.
     Bytes20 = 3,
     /// 4: 24 bytes; the element has 8 words.
+    ///
+    /// Stands for 24.
     Bytes24 = 4,
     /// 5: 32 bytes; the element has 10 words.
+    ///
+    /// Stands for 32.
     Bytes32 = 5,
     /// 6: 48 bytes; the element has 14 words.
+    ///
+    /// Stands for 48.
     Bytes48 = 6,
     /// 7: 64 bytes; the element has 18 words.
+    ///
+    /// Stands for 64.
     Bytes64 = 7,
 }
 impl DataFieldSize {
@@ -326,6 +342,21 @@ impl DataFieldSize {
     pub const fn bits(self) -> u8 {
         self as u8
     }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Bytes8 => Some(8),
+            Self::Bytes12 => Some(12),
+            Self::Bytes16 => Some(16),
+            Self::Bytes20 => Some(20),
+            Self::Bytes24 => Some(24),
+            Self::Bytes32 => Some(32),
+            Self::Bytes48 => Some(48),
+            Self::Bytes64 => Some(64),
+        }
+    }
 }
 regbus::enumeration!(DataFieldSize, DATA_FIELD_SIZE_VALUES);
 pub(crate) const ID_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
@@ -335,7 +366,7 @@ pub(crate) const ID_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 };
 /// Identifier length of a frame.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47; §2.4.3 p.49; §2.4.4 p.51
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum IdFormat {
@@ -369,7 +400,7 @@ pub(crate) const FRAME_KIND_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 };
 /// Data frame or remote frame.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47; §2.4.3 p.49; §2.4.4 p.51
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum FrameKind {
@@ -403,7 +434,7 @@ pub(crate) const FRAME_FORMAT_VALUES: &regbus::meta::Enum = &regbus::meta::Enum 
 };
 /// Frame format.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.48
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.48; §2.4.3 p.50; §2.4.4 p.52
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum FrameFormat {
@@ -437,7 +468,7 @@ pub(crate) const ERROR_STATE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 };
 /// Error state of the node that transmitted a frame.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.47; §2.4.4 p.51
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum ErrorState {
@@ -467,38 +498,95 @@ regbus::enumeration!(ErrorState, ERROR_STATE_VALUES);
 pub(crate) const DATA_LENGTH_CODE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_length_code",
     values: &[
-        (0, 8, "bytes"),
-        (9, 9, "fd_12"),
-        (10, 10, "fd_16"),
-        (11, 11, "fd_20"),
-        (12, 12, "fd_24"),
-        (13, 13, "fd_32"),
-        (14, 14, "fd_48"),
-        (15, 15, "fd_64"),
+        (0, 0, "bytes_0"),
+        (1, 1, "bytes_1"),
+        (2, 2, "bytes_2"),
+        (3, 3, "bytes_3"),
+        (4, 4, "bytes_4"),
+        (5, 5, "bytes_5"),
+        (6, 6, "bytes_6"),
+        (7, 7, "bytes_7"),
+        (8, 8, "bytes_8"),
+        (9, 9, "bytes_12"),
+        (10, 10, "bytes_16"),
+        (11, 11, "bytes_20"),
+        (12, 12, "bytes_24"),
+        (13, 13, "bytes_32"),
+        (14, 14, "bytes_48"),
+        (15, 15, "bytes_64"),
     ],
     reserved: &[],
 };
-/// Number of data bytes of a frame. Codes 0 to 8 are the same in both formats; 9 to 15 mean 8 bytes in Classical CAN and the number in the name in CAN FD.
+/// Number of data bytes of a frame. Codes 0 to 8 are the same in both formats. Name and number of the codes 9 to 15 are those of CAN FD; in Classical CAN they all mean 8 bytes.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.48; Table 54 p.59
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.2 p.48; §2.4.3 p.50; §2.4.4 p.52; Table 54 p.59
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
 pub enum DataLengthCode {
-    /// 0 to 8: As many bytes as the code says. It holds the value itself.
-    Bytes(u8),
-    /// 9: CAN FD: 12 bytes; Classical CAN: 8.
-    Fd12,
-    /// 10: CAN FD: 16 bytes; Classical CAN: 8.
-    Fd16,
-    /// 11: CAN FD: 20 bytes; Classical CAN: 8.
-    Fd20,
-    /// 12: CAN FD: 24 bytes; Classical CAN: 8.
-    Fd24,
-    /// 13: CAN FD: 32 bytes; Classical CAN: 8.
-    Fd32,
-    /// 14: CAN FD: 48 bytes; Classical CAN: 8.
-    Fd48,
-    /// 15: CAN FD: 64 bytes; Classical CAN: 8.
-    Fd64,
+    /// 0: `bytes_0`
+    ///
+    /// Stands for 0.
+    Bytes0 = 0,
+    /// 1: `bytes_1`
+    ///
+    /// Stands for 1.
+    Bytes1 = 1,
+    /// 2: `bytes_2`
+    ///
+    /// Stands for 2.
+    Bytes2 = 2,
+    /// 3: `bytes_3`
+    ///
+    /// Stands for 3.
+    Bytes3 = 3,
+    /// 4: `bytes_4`
+    ///
+    /// Stands for 4.
+    Bytes4 = 4,
+    /// 5: `bytes_5`
+    ///
+    /// Stands for 5.
+    Bytes5 = 5,
+    /// 6: `bytes_6`
+    ///
+    /// Stands for 6.
+    Bytes6 = 6,
+    /// 7: `bytes_7`
+    ///
+    /// Stands for 7.
+    Bytes7 = 7,
+    /// 8: `bytes_8`
+    ///
+    /// Stands for 8.
+    Bytes8 = 8,
+    /// 9: 12 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 12.
+    Bytes12 = 9,
+    /// 10: 16 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 16.
+    Bytes16 = 10,
+    /// 11: 20 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 20.
+    Bytes20 = 11,
+    /// 12: 24 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 24.
+    Bytes24 = 12,
+    /// 13: 32 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 32.
+    Bytes32 = 13,
+    /// 14: 48 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 48.
+    Bytes48 = 14,
+    /// 15: 64 bytes in CAN FD, 8 in Classical CAN.
+    ///
+    /// Stands for 64.
+    Bytes64 = 15,
 }
 impl DataLengthCode {
     /// The value of a field's bits; bits above the field are ignored where they decide nothing.
@@ -506,40 +594,51 @@ impl DataLengthCode {
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
         match bits {
-            0..=8 => Self::Bytes(bits),
-            9 => Self::Fd12,
-            10 => Self::Fd16,
-            11 => Self::Fd20,
-            12 => Self::Fd24,
-            13 => Self::Fd32,
-            14 => Self::Fd48,
-            _ => Self::Fd64,
+            0 => Self::Bytes0,
+            1 => Self::Bytes1,
+            2 => Self::Bytes2,
+            3 => Self::Bytes3,
+            4 => Self::Bytes4,
+            5 => Self::Bytes5,
+            6 => Self::Bytes6,
+            7 => Self::Bytes7,
+            8 => Self::Bytes8,
+            9 => Self::Bytes12,
+            10 => Self::Bytes16,
+            11 => Self::Bytes20,
+            12 => Self::Bytes24,
+            13 => Self::Bytes32,
+            14 => Self::Bytes48,
+            _ => Self::Bytes64,
         }
     }
     /// The bits of the value.
-    ///
-    /// # Panics
-    ///
-    /// If a variant holds a value outside its range.
     #[inline]
     #[must_use]
     pub const fn bits(self) -> u8 {
+        self as u8
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
         match self {
-            Self::Bytes(value) => {
-                regbus::bits::within(
-                    value as u32,
-                    0,
-                    8,
-                    "DataLengthCode::Bytes takes 0..=8",
-                ) as u8
-            }
-            Self::Fd12 => 9,
-            Self::Fd16 => 10,
-            Self::Fd20 => 11,
-            Self::Fd24 => 12,
-            Self::Fd32 => 13,
-            Self::Fd48 => 14,
-            Self::Fd64 => 15,
+            Self::Bytes0 => Some(0),
+            Self::Bytes1 => Some(1),
+            Self::Bytes2 => Some(2),
+            Self::Bytes3 => Some(3),
+            Self::Bytes4 => Some(4),
+            Self::Bytes5 => Some(5),
+            Self::Bytes6 => Some(6),
+            Self::Bytes7 => Some(7),
+            Self::Bytes8 => Some(8),
+            Self::Bytes12 => Some(12),
+            Self::Bytes16 => Some(16),
+            Self::Bytes20 => Some(20),
+            Self::Bytes24 => Some(24),
+            Self::Bytes32 => Some(32),
+            Self::Bytes48 => Some(48),
+            Self::Bytes64 => Some(64),
         }
     }
 }
@@ -657,7 +756,7 @@ pub(crate) const STANDARD_FILTER_TYPE_VALUES: &regbus::meta::Enum = &regbus::met
 };
 /// How the two IDs of a standard filter element are compared. Ignored when the action is rx\_buffer.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.52
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.52; §3.4.1.2 p.66; §3.4.1.3 p.66
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum StandardFilterType {
@@ -702,7 +801,7 @@ pub(crate) const EXTENDED_FILTER_TYPE_VALUES: &regbus::meta::Enum = &regbus::met
 };
 /// How the two IDs of an extended filter element are compared. Ignored when the action is rx\_buffer.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 p.54; §3.4.1.1 p.66
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 p.54; §3.4.1.1 p.66; §3.4.1.3 p.66; §3.4.1.5 p.68
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum ExtendedFilterType {
@@ -908,8 +1007,12 @@ pub(crate) const CCCR_WMM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 #[repr(u8)]
 pub enum CccrWmm {
     /// 0: 8-bit Message Markers; the Tx Event FIFO stores 16-bit timestamps.
+    ///
+    /// Stands for 8.
     Bits8 = 0,
     /// 1: 16-bit Message Markers take the place of the internal timestamp in the Tx Event FIFO.
+    ///
+    /// Stands for 16.
     Bits16 = 1,
 }
 impl CccrWmm {
@@ -927,6 +1030,15 @@ impl CccrWmm {
     #[must_use]
     pub const fn bits(self) -> u8 {
         self as u8
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Bits8 => Some(8),
+            Self::Bits16 => Some(16),
+        }
     }
 }
 regbus::enumeration!(CccrWmm, CCCR_WMM_VALUES);
@@ -1069,7 +1181,7 @@ pub(crate) const HPMS_FLST_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// Used by [`Hpms::flst`](crate::registers::Hpms::flst).
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum HpmsFlst {
@@ -1110,7 +1222,7 @@ pub(crate) const HPMS_MSI_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// Used by [`Hpms::msi`](crate::registers::Hpms::msi).
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum HpmsMsi {
@@ -1152,7 +1264,7 @@ pub(crate) const RXF1S_DMS_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// Used by [`Rxf1s::dms`](crate::registers::Rxf1s::dms).
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Rxf1sDms {

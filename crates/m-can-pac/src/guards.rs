@@ -19,25 +19,25 @@ pub trait CrelHasNoModify: sealed::Never {}
     note = "use `read`"
 )]
 pub trait EndnHasNoModify: sealed::Never {}
-/// `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and INIT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
-    message = "`Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write",
+    message = "`Cccr` cannot be read-modified-written: hardware changes CSR, ASM and INIT between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait CccrHasNoModify: sealed::Never {}
-/// `Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Tscv` cannot be read-modified-written: any write clears or presets TSC; use `write(Tscv::ZERO)` if that is what you want.
 #[diagnostic::on_unimplemented(
-    message = "`Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write",
+    message = "`Tscv` cannot be read-modified-written: any write clears or presets TSC",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "use `write(Tscv::ZERO)` if that is what you want"
 )]
 pub trait TscvHasNoModify: sealed::Never {}
-/// `Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Tocv` cannot be read-modified-written: any write clears or presets TOC; use `write(Tocv::ZERO)` if that is what you want.
 #[diagnostic::on_unimplemented(
-    message = "`Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write",
+    message = "`Tocv` cannot be read-modified-written: any write clears or presets TOC",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "use `write(Tocv::ZERO)` if that is what you want"
 )]
 pub trait TocvHasNoModify: sealed::Never {}
 /// `Ecr` cannot be read-modified-written: it is read-only; use `read`.
@@ -89,11 +89,11 @@ pub trait Ndat2HasNoModify: sealed::Never {}
     note = "use `read`"
 )]
 pub trait Rxf0sHasNoModify: sealed::Never {}
-/// `Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait Rxf0aHasNoModify: sealed::Never {}
 /// `Rxf1s` cannot be read-modified-written: it is read-only; use `read`.
@@ -103,11 +103,11 @@ pub trait Rxf0aHasNoModify: sealed::Never {}
     note = "use `read`"
 )]
 pub trait Rxf1sHasNoModify: sealed::Never {}
-/// `Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait Rxf1aHasNoModify: sealed::Never {}
 /// `Txfqs` cannot be read-modified-written: it is read-only; use `read`.
@@ -159,10 +159,10 @@ pub trait TxbcfHasNoModify: sealed::Never {}
     note = "use `read`"
 )]
 pub trait TxefsHasNoModify: sealed::Never {}
-/// `Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// `Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 #[diagnostic::on_unimplemented(
     message = "`Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write",
     label = "no `modify` for this register",
-    note = "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits"
+    note = "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"
 )]
 pub trait TxefaHasNoModify: sealed::Never {}

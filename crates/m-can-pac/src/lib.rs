@@ -25,7 +25,7 @@
 //!
 //! # About the manual
 //!
-//! Figures and most bit tables of the register pages are not legible as text. Bit numbers come from the field descriptions below each table, access letters and resets from the register map (Table 1), rules for single bits from the functional description.
+//! Figures and most bit tables of the register pages are not legible in the copy that was transcribed. Bit numbers come from the field descriptions below each table, access letters and resets from the register map (Table 1), rules for single bits from the functional description.
 //!
 //! # Features
 //!
@@ -38,17 +38,14 @@
     clippy::identity_op,
     clippy::module_inception,
     clippy::unnecessary_cast,
+    rustdoc::redundant_explicit_links,
     reason = "one form of body serves all widths"
 )]
-#![allow(
-    rustdoc::redundant_explicit_links,
-    reason = "links are explicit wherever they are generated"
-)]
+#[rustfmt::skip]
 pub mod enums;
+#[rustfmt::skip]
 pub mod guards;
-pub mod messages;
-#[cfg(feature = "meta")]
-pub mod meta;
+#[rustfmt::skip]
 pub mod manual_notes {
     //! Where the manual contradicts itself or is silent, and what is taken.
     //!
@@ -78,7 +75,7 @@ pub mod manual_notes {
     //!
     //! ## `bit_tables_missing`
     //!
-    //! The bit tables with the access and reset of single bits are not legible for most registers.
+    //! The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy.
     //!
     //! About [`ENDN`](crate::registers::Endn), [`DBTP`](crate::registers::Dbtp), [`TEST`](crate::registers::Test), [`RWD`](crate::registers::Rwd), [`CCCR`](crate::registers::Cccr), [`NBTP`](crate::registers::Nbtp), [`TSCC`](crate::registers::Tscc), [`TSCV`](crate::registers::Tscv), [`TOCC`](crate::registers::Tocc), [`TOCV`](crate::registers::Tocv), [`ECR`](crate::registers::Ecr), [`PSR`](crate::registers::Psr), [`TDCR`](crate::registers::Tdcr), [`IR`](crate::registers::Ir), [`ILE`](crate::registers::Ile), [`GFC`](crate::registers::Gfc), [`SIDFC`](crate::registers::Sidfc), [`XIDFC`](crate::registers::Xidfc), [`XIDAM`](crate::registers::Xidam), [`HPMS`](crate::registers::Hpms), [`RXF0C`](crate::registers::Rxf0c), [`RXF0S`](crate::registers::Rxf0s), [`RXF0A`](crate::registers::Rxf0a), [`RXBC`](crate::registers::Rxbc), [`RXF1C`](crate::registers::Rxf1c), [`RXF1S`](crate::registers::Rxf1s), [`RXF1A`](crate::registers::Rxf1a), [`RXESC`](crate::registers::Rxesc), [`TXBC`](crate::registers::Txbc), [`TXFQS`](crate::registers::Txfqs), [`TXESC`](crate::registers::Txesc), [`TXBRP`](crate::registers::Txbrp), [`TXBTO`](crate::registers::Txbto), [`TXBTIE`](crate::registers::Txbtie), [`TXBCIE`](crate::registers::Txbcie), [`TXEFC`](crate::registers::Txefc), [`TXEFS`](crate::registers::Txefs), [`TXEFA`](crate::registers::Txefa).
     //!
@@ -96,7 +93,7 @@ pub mod manual_notes {
     //! - Table 1 p.5: 0x0600\_0A03; section 2.3.8 repeats it with the bit rate it gives.
     //! - Table 60 p.79: 0x0000\_0A33.
     //!
-    //! Taken: 0x0600\_0A03. It gives the documented 500 kbit/s at 8 MHz; the other is the reset of DBTP and would put NTSEG2 across its boundary.
+    //! Taken: 0x0600\_0A03. It gives the documented 500 kbit/s at 8 MHz; the other is the reset of DBTP and would give 125 kbit/s (64 quanta).
     //!
     //! ## `nominal_bit_time_minimum`
     //!
@@ -258,7 +255,7 @@ pub mod manual_notes {
     //!
     //! An element with filter type disabled and action rx\_buffer.
     //!
-    //! About [`STANDARD_BUFFER_FILTER`](crate::messages::StandardBufferFilter).
+    //! About [`STANDARD_FILTER.S0_RX_BUFFER`](crate::messages::StandardFilterS0RxBuffer).
     //!
     //! - §2.4.5 p.53: With SFEC = 7 the filter type is ignored.
     //! - §2.4.5 p.52: With SFT = 3 the element is disabled.
@@ -356,7 +353,7 @@ pub mod manual_notes {
     //!
     //! ## `garbled_letters`
     //!
-    //! Single garbled letters.
+    //! Single garbled letters in the transcribed copy.
     //!
     //! About [`IR.RF1N`](crate::registers::Ir::rf1n), [`TXBTIE.TIE`](crate::registers::Txbtie::tie), [`DBTP.TDC`](crate::registers::Dbtp::tdc), [`RWD.WDC`](crate::registers::Rwd::wdc).
     //!
@@ -387,7 +384,7 @@ pub mod manual_notes {
     //!
     //! ## `overview_page_garbled`
     //!
-    //! The second page of the register overview is hardly legible.
+    //! The second page of the register overview is hardly legible in the transcribed copy.
     //!
     //! About [`TOCV`](crate::registers::Tocv), [`ECR`](crate::registers::Ecr), [`PSR`](crate::registers::Psr), [`TDCR`](crate::registers::Tdcr), [`IR`](crate::registers::Ir), [`IE`](crate::registers::Ie), [`ILS`](crate::registers::Ils), [`ILE`](crate::registers::Ile), [`GFC`](crate::registers::Gfc), [`SIDFC`](crate::registers::Sidfc), [`XIDFC`](crate::registers::Xidfc), [`XIDAM`](crate::registers::Xidam), [`HPMS`](crate::registers::Hpms).
     //!
@@ -462,7 +459,7 @@ pub mod manual_notes {
     //!
     //! ## `figures_missing`
     //!
-    //! The twelve figures are not legible as text.
+    //! The twelve figures are not legible in the transcribed copy.
     //!
     //! - Figure 2 p.46: The sections of the Message RAM and their sizes; 2.4.1 gives the sum of 4352 words.
     //! - Figure 6 p.67: The path of standard message filtering; Figure 7 (page 68) that of extended messages.
@@ -661,7 +658,7 @@ pub mod manual_notes {
     //!
     //! About [`NBTP.NTSEG1`](crate::registers::Nbtp::ntseg1), [`NBTP.NTSEG2`](crate::registers::Nbtp::ntseg2), [`DBTP.DTSEG2`](crate::registers::Dbtp::dtseg2).
     //!
-    //! Nearest words: Valid values start at 1, and one more than the programmed value is used.
+    //! Nearest words: Valid values start at 1; the hardware takes the programmed value plus 1.
     //!
     //! Choice: The value plus 1 is used all the same, and a simulator reports it. Drivers refuse it.
     //!
@@ -681,7 +678,7 @@ pub mod manual_notes {
     //!
     //! About [`TSCV.TSC`](crate::registers::Tscv::tsc).
     //!
-    //! Nearest words: It is incremented in multiples of CAN bit times.
+    //! Nearest words: It counts CAN bit times, divided by the prescaler.
     //!
     //! Choice: It stands still while CCCR.INIT is 1 and keeps its value. There are no bit times without bus activity; the timeout counter, which has the same prescaler, stops too.
     //!
@@ -801,7 +798,7 @@ pub mod manual_notes {
     //!
     //! About [`IR`](crate::registers::Ir), [`NDAT1`](crate::registers::Ndat1), [`NDAT2`](crate::registers::Ndat2).
     //!
-    //! Nearest words: A flag is cleared by writing a 1 and set when its condition is detected.
+    //! Nearest words: Detection of the condition sets a flag, and a written 1 clears it.
     //!
     //! Choice: The event wins and the flag stays set. No event gets lost this way.
     //!
@@ -863,7 +860,7 @@ pub mod manual_notes {
     //!
     //! In which unit do bits 5:0 of the second ID count?
     //!
-    //! About [`STANDARD_BUFFER_FILTER`](crate::messages::StandardBufferFilter), [`EXTENDED_BUFFER_FILTER`](crate::messages::ExtendedBufferFilter).
+    //! About [`STANDARD_FILTER.S0_RX_BUFFER`](crate::messages::StandardFilterS0RxBuffer), [`EXTENDED_FILTER.F1_RX_BUFFER`](crate::messages::ExtendedFilterF1RxBuffer).
     //!
     //! Nearest words: They are the offset to the start address of the Rx Buffers; in the examples consecutive buffers have consecutive numbers.
     //!
@@ -895,7 +892,7 @@ pub mod manual_notes {
     //!
     //! About [`RXF0A.F0AI`](crate::registers::Rxf0a::f0ai), [`RXF1A.F1AI`](crate::registers::Rxf1a::f1ai), [`TXEFA.EFAI`](crate::registers::Txefa::efai).
     //!
-    //! Nearest words: Wrong values are not checked; they put the get index to a wrong position and change the fill level.
+    //! Nearest words: Values are not checked; a wrong one misplaces the get index and changes the fill level.
     //!
     //! Choice: The fill level is the distance from the new get index to the put index, modulo the size, with 0 for equal indices. A simulator reports it.
     //!
@@ -1021,7 +1018,7 @@ pub mod manual_notes {
     //!
     //! About [`RXF0S`](crate::registers::Rxf0s), [`RXF1S`](crate::registers::Rxf1s).
     //!
-    //! Nearest words: Put and get index are both incremented; a full FIFO is signalled while they are equal.
+    //! Nearest words: Both indices advance by one; equal indices are how a full FIFO is recognized.
     //!
     //! Choice: The FIFO stays full, and the fill level stays at its size.
     //!
@@ -1075,7 +1072,15 @@ pub mod manual_notes {
     //!
     //! Choice: A simulator uses a fixed time of a few CAN clock periods, which can be set to zero. Drivers poll with a bound.
 }
+#[rustfmt::skip]
+pub mod messages;
+#[cfg(feature = "meta")]
+#[rustfmt::skip]
+pub mod meta;
+#[rustfmt::skip]
 mod peripheral;
+#[rustfmt::skip]
 pub mod registers;
+#[rustfmt::skip]
 pub use peripheral::MCan;
 pub use regbus::{Bus, Mmio, Reg};

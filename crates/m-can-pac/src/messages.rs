@@ -336,19 +336,19 @@ impl RxBufferR1b {
     pub const fn with_dlc(self, value: crate::enums::DataLengthCode) -> Self {
         Self(regbus::bits::put(self.0 as u32, 16, 4, value.bits() as u32) as u32)
     }
-    /// `TSC` (bit 4, `rw`): A timestamp was captured in the TSU, because the matching filter element has SSYNC or ESYNC set; RXTSP is valid.
+    /// `TSC` (bit 4, `rw`): The TSU captured a timestamp at the end of the frame, because the matching filter element has SSYNC or ESYNC set; RXTSP is valid.
     #[inline(always)]
     #[must_use]
     pub const fn tsc(self) -> bool {
         regbus::bits::get(self.0 as u32, 4, 1) != 0
     }
-    /// This value with another `TSC`: A timestamp was captured in the TSU, because the matching filter element has SSYNC or ESYNC set; RXTSP is valid.
+    /// This value with another `TSC`: The TSU captured a timestamp at the end of the frame, because the matching filter element has SSYNC or ESYNC set; RXTSP is valid.
     #[inline(always)]
     #[must_use]
     pub const fn with_tsc(self, value: bool) -> Self {
         Self(regbus::bits::put(self.0 as u32, 4, 1, value as u32) as u32)
     }
-    /// `TSC` (bit 4, `rw`): A timestamp was captured in the TSU, because the matching filter element has SSYNC or ESYNC set; RXTSP is valid.
+    /// `TSC` (bit 4, `rw`): The TSU captured a timestamp at the end of the frame, because the matching filter element has SSYNC or ESYNC set; RXTSP is valid.
     pub const TSC: Self = Self(0x0000_0010);
     /// `RXTSP` (bits 3:0, `rw`): Number of the TSU timestamp register that holds the timestamp.
     #[inline(always)]
@@ -530,13 +530,13 @@ impl TxBufferT0 {
     }
     /// `RTR` (bit 29, `rw`): Data or remote frame. A remote frame is sent in Classical CAN format even if CAN FD is enabled.
     pub const RTR: Self = Self(0x2000_0000);
-    /// `ID` (bits 28:0, `rw`): Identifier. A standard identifier has to be written to bits 28:18.
+    /// `ID` (bits 28:0, `rw`): Identifier. A standard identifier belongs in bits 28:18.
     #[inline(always)]
     #[must_use]
     pub const fn id(self) -> u32 {
         regbus::bits::get(self.0 as u32, 0, 29) as u32
     }
-    /// This value with another `ID`: Identifier. A standard identifier has to be written to bits 28:18.
+    /// This value with another `ID`: Identifier. A standard identifier belongs in bits 28:18.
     ///
     /// # Panics
     ///
@@ -828,7 +828,7 @@ pub(crate) const TX_EVENT_E0_FIELDS: &[Field] = &[
 ];
 regbus::register!(TxEventE0, u32, "TX_EVENT.E0", 0x0000_0000, TX_EVENT_E0_FIELDS);
 impl TxEventE0 {
-    /// `ESI` (bit 31, `rw`): Error state indicator of the frame: error state of its transmitter.
+    /// `ESI` (bit 31, `rw`): Error state indicator of the frame: error state of the node that sent it, which is this one.
     #[inline(always)]
     #[must_use]
     pub const fn esi(self) -> crate::enums::ErrorState {
@@ -836,13 +836,13 @@ impl TxEventE0 {
             regbus::bits::get(self.0 as u32, 31, 1) as u8,
         )
     }
-    /// This value with another `ESI`: Error state indicator of the frame: error state of its transmitter.
+    /// This value with another `ESI`: Error state indicator of the frame: error state of the node that sent it, which is this one.
     #[inline(always)]
     #[must_use]
     pub const fn with_esi(self, value: crate::enums::ErrorState) -> Self {
         Self(regbus::bits::put(self.0 as u32, 31, 1, value.bits() as u32) as u32)
     }
-    /// `ESI` (bit 31, `rw`): Error state indicator of the frame: error state of its transmitter.
+    /// `ESI` (bit 31, `rw`): Error state indicator of the frame: error state of the node that sent it, which is this one.
     pub const ESI: Self = Self(0x8000_0000);
     /// `XTD` (bit 30, `rw`): Length of the identifier.
     #[inline(always)]
@@ -1130,19 +1130,19 @@ impl TxEventE1b {
     pub const fn with_mm_high(self, value: u8) -> Self {
         Self(regbus::bits::put(self.0 as u32, 8, 8, value as u32) as u32)
     }
-    /// `TSC` (bit 4, `rw`): A timestamp was captured in the TSU, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid.
+    /// `TSC` (bit 4, `rw`): The TSU captured a timestamp at the end of the frame, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid. Always 0 without the TSU (CCCR.UTSU = 0).
     #[inline(always)]
     #[must_use]
     pub const fn tsc(self) -> bool {
         regbus::bits::get(self.0 as u32, 4, 1) != 0
     }
-    /// This value with another `TSC`: A timestamp was captured in the TSU, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid.
+    /// This value with another `TSC`: The TSU captured a timestamp at the end of the frame, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid. Always 0 without the TSU (CCCR.UTSU = 0).
     #[inline(always)]
     #[must_use]
     pub const fn with_tsc(self, value: bool) -> Self {
         Self(regbus::bits::put(self.0 as u32, 4, 1, value as u32) as u32)
     }
-    /// `TSC` (bit 4, `rw`): A timestamp was captured in the TSU, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid.
+    /// `TSC` (bit 4, `rw`): The TSU captured a timestamp at the end of the frame, because CCCR.UTSU and TSCE of the Tx Buffer are set; TXTSP is valid. Always 0 without the TSU (CCCR.UTSU = 0).
     pub const TSC: Self = Self(0x0000_0010);
     /// `TXTSP` (bits 3:0, `rw`): Number of the TSU timestamp register that holds the timestamp.
     #[inline(always)]
@@ -1290,7 +1290,9 @@ impl<B: Bus> TxEvent<B> {
 }
 /// Word `S0` of a Standard Message ID Filter Element, at byte 0x0.
 ///
-/// Filter that stores in a FIFO, rejects or sets priority.
+/// Filter that stores in a FIFO, rejects or sets priority, or an element that is skipped.
+///
+/// The word has this layout if `S0.SFEC != rx_buffer`.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.52; §2.4.5 p.53
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1415,57 +1417,17 @@ impl<B: Bus> regbus::Modify<B> for StandardFilterS0 {
     const ONES: u32 = 0;
     const UNSAFE: bool = false;
 }
-/// Standard Message ID Filter Element.
+/// Word `S0_RX_BUFFER` of a Standard Message ID Filter Element, at byte 0x0.
 ///
-/// Filter for frames with 11-bit identifiers. Elements are tried from index 0; the first match ends the filtering.
+/// The same word with the action rx\_buffer, which gives the second ID another meaning: the message goes to a dedicated Rx Buffer or is a debug message. The received identifier has to equal SFID1.
 ///
-/// Sections of memory: `standard_filters`.
+/// The word has this layout if `S0.SFEC == rx_buffer`.
 ///
-/// | byte | word | layout if |
-/// |---|---|---|
-/// | 0x0 | [`S0`](StandardFilterS0) |  |
-///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 Table 52 p.52
-#[derive(Clone, Copy, Debug)]
-pub struct StandardFilter<B: Bus = Mmio> {
-    bus: B,
-    offset: usize,
-}
-impl<B: Bus> StandardFilter<B> {
-    /// The element at a byte offset of a memory.
-    #[inline(always)]
-    #[must_use]
-    pub const fn new(memory: B, offset: usize) -> Self {
-        Self { bus: memory, offset }
-    }
-    /// Byte offset in the memory.
-    #[inline]
-    #[must_use]
-    pub const fn offset(&self) -> usize {
-        self.offset
-    }
-    /// Bytes in front of the data, or of the whole element if it has none.
-    pub const HEADER_BYTES: usize = 4;
-    /// Bytes of an element.
-    pub const BYTES: usize = 4;
-    /// Word `S0`.
-    ///
-    /// Filter that stores in a FIFO, rejects or sets priority.
-    #[inline(always)]
-    #[must_use]
-    pub fn s0(&self) -> Reg<StandardFilterS0, B> {
-        Reg::new(self.bus, self.offset + 0x0)
-    }
-}
-/// Word `S0` of a Standard Message ID Filter Element for Rx Buffers and debug messages, at byte 0x0.
-///
-/// Filter that stores in a dedicated Rx Buffer or as debug message. The received identifier has to equal SFID1.
-///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.53
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 p.52; §2.4.5 p.53
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
-pub struct StandardBufferFilterS0(u32);
-pub(crate) const STANDARD_BUFFER_FILTER_S0_FIELDS: &[Field] = &[
+pub struct StandardFilterS0RxBuffer(u32);
+pub(crate) const STANDARD_FILTER_S0_RX_BUFFER_FIELDS: &[Field] = &[
     Field::new("SFT", 30, 2, Access::Rw)
         .values(crate::enums::STANDARD_FILTER_TYPE_VALUES),
     Field::new("SFEC", 27, 3, Access::Rw).values(crate::enums::FILTER_ACTION_VALUES),
@@ -1477,10 +1439,10 @@ pub(crate) const STANDARD_BUFFER_FILTER_S0_FIELDS: &[Field] = &[
     Field::new("SFID2_5_0", 0, 6, Access::Rw),
 ];
 regbus::register!(
-    StandardBufferFilterS0, u32, "STANDARD_BUFFER_FILTER.S0", 0x0000_0000,
-    STANDARD_BUFFER_FILTER_S0_FIELDS
+    StandardFilterS0RxBuffer, u32, "STANDARD_FILTER.S0_RX_BUFFER", 0x0000_0000,
+    STANDARD_FILTER_S0_RX_BUFFER_FIELDS
 );
-impl StandardBufferFilterS0 {
+impl StandardFilterS0RxBuffer {
     /// `SFT` (bits 31:30, `rw`): Ignored in this layout.
     #[inline(always)]
     #[must_use]
@@ -1532,7 +1494,7 @@ impl StandardBufferFilterS0 {
                     value as u32,
                     0,
                     2047,
-                    "STANDARD_BUFFER_FILTER.S0.SFID1 takes 0..=2047",
+                    "STANDARD_FILTER.S0_RX_BUFFER.SFID1 takes 0..=2047",
                 ),
             ) as u32,
         )
@@ -1588,7 +1550,7 @@ impl StandardBufferFilterS0 {
                     value as u32,
                     0,
                     7,
-                    "STANDARD_BUFFER_FILTER.S0.SFID2_8_6 takes 0..=7",
+                    "STANDARD_FILTER.S0_RX_BUFFER.SFID2_8_6 takes 0..=7",
                 ),
             ) as u32,
         )
@@ -1616,37 +1578,38 @@ impl StandardBufferFilterS0 {
                     value as u32,
                     0,
                     63,
-                    "STANDARD_BUFFER_FILTER.S0.SFID2_5_0 takes 0..=63",
+                    "STANDARD_FILTER.S0_RX_BUFFER.SFID2_5_0 takes 0..=63",
                 ),
             ) as u32,
         )
     }
 }
-impl regbus::Readable for StandardBufferFilterS0 {}
-impl regbus::Pure for StandardBufferFilterS0 {}
-impl regbus::Writable for StandardBufferFilterS0 {}
-impl<B: Bus> regbus::Modify<B> for StandardBufferFilterS0 {
+impl regbus::Readable for StandardFilterS0RxBuffer {}
+impl regbus::Pure for StandardFilterS0RxBuffer {}
+impl regbus::Writable for StandardFilterS0RxBuffer {}
+impl<B: Bus> regbus::Modify<B> for StandardFilterS0RxBuffer {
     const KEEP: u32 = 0xffff_87ff;
     const ONES: u32 = 0;
     const UNSAFE: bool = false;
 }
-/// Standard Message ID Filter Element for Rx Buffers and debug messages.
+/// Standard Message ID Filter Element.
 ///
-/// Filter for frames with 11-bit identifiers whose action SFEC is rx\_buffer, which gives the second ID another meaning.
+/// Filter for frames with 11-bit identifiers. Elements are tried from index 0; the first match ends the filtering.
 ///
 /// Sections of memory: `standard_filters`.
 ///
 /// | byte | word | layout if |
 /// |---|---|---|
-/// | 0x0 | [`S0`](StandardBufferFilterS0) |  |
+/// | 0x0 | [`S0`](StandardFilterS0) | `S0.SFEC != rx_buffer` |
+/// | 0x0 | [`S0_RX_BUFFER`](StandardFilterS0RxBuffer) | `S0.SFEC == rx_buffer` |
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 Table 52 p.52; §2.4.5 p.53
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.5 Table 52 p.52
 #[derive(Clone, Copy, Debug)]
-pub struct StandardBufferFilter<B: Bus = Mmio> {
+pub struct StandardFilter<B: Bus = Mmio> {
     bus: B,
     offset: usize,
 }
-impl<B: Bus> StandardBufferFilter<B> {
+impl<B: Bus> StandardFilter<B> {
     /// The element at a byte offset of a memory.
     #[inline(always)]
     #[must_use]
@@ -1665,10 +1628,18 @@ impl<B: Bus> StandardBufferFilter<B> {
     pub const BYTES: usize = 4;
     /// Word `S0`.
     ///
-    /// Filter that stores in a dedicated Rx Buffer or as debug message. The received identifier has to equal SFID1.
+    /// Filter that stores in a FIFO, rejects or sets priority, or an element that is skipped.
     #[inline(always)]
     #[must_use]
-    pub fn s0(&self) -> Reg<StandardBufferFilterS0, B> {
+    pub fn s0(&self) -> Reg<StandardFilterS0, B> {
+        Reg::new(self.bus, self.offset + 0x0)
+    }
+    /// Word `S0_RX_BUFFER`.
+    ///
+    /// The same word with the action rx\_buffer, which gives the second ID another meaning: the message goes to a dedicated Rx Buffer or is a debug message. The received identifier has to equal SFID1.
+    #[inline(always)]
+    #[must_use]
+    pub fn s0_rx_buffer(&self) -> Reg<StandardFilterS0RxBuffer, B> {
         Reg::new(self.bus, self.offset + 0x0)
     }
 }
@@ -1741,7 +1712,9 @@ impl<B: Bus> regbus::Modify<B> for ExtendedFilterF0 {
 }
 /// Word `F1` of a Extended Message ID Filter Element, at byte 0x4.
 ///
-/// Type and second identifier of a filter that stores in a FIFO, rejects or sets priority.
+/// Type and second identifier of a filter that stores in a FIFO, rejects or sets priority, or of an element that is skipped.
+///
+/// The word has this layout if `F0.EFEC != rx_buffer`.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.4.6 p.54; §2.4.6 p.55
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1822,66 +1795,17 @@ impl<B: Bus> regbus::Modify<B> for ExtendedFilterF1 {
     const ONES: u32 = 0;
     const UNSAFE: bool = false;
 }
-/// Extended Message ID Filter Element.
+/// Word `F1_RX_BUFFER` of a Extended Message ID Filter Element, at byte 0x4.
 ///
-/// Filter for frames with 29-bit identifiers. Elements are tried from index 0; the first match ends the filtering.
+/// The same word with the action rx\_buffer, in which the second ID tells where the message goes.
 ///
-/// Sections of memory: `extended_filters`.
+/// The word has this layout if `F0.EFEC == rx_buffer`.
 ///
-/// | byte | word | layout if |
-/// |---|---|---|
-/// | 0x0 | [`F0`](ExtendedFilterF0) |  |
-/// | 0x4 | [`F1`](ExtendedFilterF1) |  |
-///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 Table 53 p.54
-#[derive(Clone, Copy, Debug)]
-pub struct ExtendedFilter<B: Bus = Mmio> {
-    bus: B,
-    offset: usize,
-}
-impl<B: Bus> ExtendedFilter<B> {
-    /// The element at a byte offset of a memory.
-    #[inline(always)]
-    #[must_use]
-    pub const fn new(memory: B, offset: usize) -> Self {
-        Self { bus: memory, offset }
-    }
-    /// Byte offset in the memory.
-    #[inline]
-    #[must_use]
-    pub const fn offset(&self) -> usize {
-        self.offset
-    }
-    /// Bytes in front of the data, or of the whole element if it has none.
-    pub const HEADER_BYTES: usize = 8;
-    /// Bytes of an element.
-    pub const BYTES: usize = 8;
-    /// Word `F0`.
-    ///
-    /// Action and first identifier.
-    #[inline(always)]
-    #[must_use]
-    pub fn f0(&self) -> Reg<ExtendedFilterF0, B> {
-        Reg::new(self.bus, self.offset + 0x0)
-    }
-    /// Word `F1`.
-    ///
-    /// Type and second identifier of a filter that stores in a FIFO, rejects or sets priority.
-    #[inline(always)]
-    #[must_use]
-    pub fn f1(&self) -> Reg<ExtendedFilterF1, B> {
-        Reg::new(self.bus, self.offset + 0x4)
-    }
-}
-/// Word `F1` of a Extended Message ID Filter Element for Rx Buffers and debug messages, at byte 0x4.
-///
-/// Destination of a filter that stores in a dedicated Rx Buffer or as debug message.
-///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 p.55
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 p.54; §2.4.6 p.55
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
-pub struct ExtendedBufferFilterF1(u32);
-pub(crate) const EXTENDED_BUFFER_FILTER_F1_FIELDS: &[Field] = &[
+pub struct ExtendedFilterF1RxBuffer(u32);
+pub(crate) const EXTENDED_FILTER_F1_RX_BUFFER_FIELDS: &[Field] = &[
     Field::new("EFT", 30, 2, Access::Rw)
         .values(crate::enums::EXTENDED_FILTER_TYPE_VALUES),
     Field::new("ESYNC", 29, 1, Access::Rw),
@@ -1891,10 +1815,10 @@ pub(crate) const EXTENDED_BUFFER_FILTER_F1_FIELDS: &[Field] = &[
     Field::new("EFID2_5_0", 0, 6, Access::Rw),
 ];
 regbus::register!(
-    ExtendedBufferFilterF1, u32, "EXTENDED_BUFFER_FILTER.F1", 0x0000_0000,
-    EXTENDED_BUFFER_FILTER_F1_FIELDS
+    ExtendedFilterF1RxBuffer, u32, "EXTENDED_FILTER.F1_RX_BUFFER", 0x0000_0000,
+    EXTENDED_FILTER_F1_RX_BUFFER_FIELDS
 );
-impl ExtendedBufferFilterF1 {
+impl ExtendedFilterF1RxBuffer {
     /// `EFT` (bits 31:30, `rw`): Ignored in this layout.
     #[inline(always)]
     #[must_use]
@@ -1960,7 +1884,7 @@ impl ExtendedBufferFilterF1 {
                     value as u32,
                     0,
                     7,
-                    "EXTENDED_BUFFER_FILTER.F1.EFID2_8_6 takes 0..=7",
+                    "EXTENDED_FILTER.F1_RX_BUFFER.EFID2_8_6 takes 0..=7",
                 ),
             ) as u32,
         )
@@ -1988,38 +1912,39 @@ impl ExtendedBufferFilterF1 {
                     value as u32,
                     0,
                     63,
-                    "EXTENDED_BUFFER_FILTER.F1.EFID2_5_0 takes 0..=63",
+                    "EXTENDED_FILTER.F1_RX_BUFFER.EFID2_5_0 takes 0..=63",
                 ),
             ) as u32,
         )
     }
 }
-impl regbus::Readable for ExtendedBufferFilterF1 {}
-impl regbus::Pure for ExtendedBufferFilterF1 {}
-impl regbus::Writable for ExtendedBufferFilterF1 {}
-impl<B: Bus> regbus::Modify<B> for ExtendedBufferFilterF1 {
+impl regbus::Readable for ExtendedFilterF1RxBuffer {}
+impl regbus::Pure for ExtendedFilterF1RxBuffer {}
+impl regbus::Writable for ExtendedFilterF1RxBuffer {}
+impl<B: Bus> regbus::Modify<B> for ExtendedFilterF1RxBuffer {
     const KEEP: u32 = 0xe000_07ff;
     const ONES: u32 = 0;
     const UNSAFE: bool = false;
 }
-/// Extended Message ID Filter Element for Rx Buffers and debug messages.
+/// Extended Message ID Filter Element.
 ///
-/// Filter for frames with 29-bit identifiers whose action EFEC is rx\_buffer, which gives the second ID another meaning.
+/// Filter for frames with 29-bit identifiers. Elements are tried from index 0; the first match ends the filtering.
 ///
 /// Sections of memory: `extended_filters`.
 ///
 /// | byte | word | layout if |
 /// |---|---|---|
 /// | 0x0 | [`F0`](ExtendedFilterF0) |  |
-/// | 0x4 | [`F1`](ExtendedBufferFilterF1) |  |
+/// | 0x4 | [`F1`](ExtendedFilterF1) | `F0.EFEC != rx_buffer` |
+/// | 0x4 | [`F1_RX_BUFFER`](ExtendedFilterF1RxBuffer) | `F0.EFEC == rx_buffer` |
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 Table 53 p.54; §2.4.6 p.55
+/// *M\_CAN Controller Area Network User's Manual*, §2.4.6 Table 53 p.54
 #[derive(Clone, Copy, Debug)]
-pub struct ExtendedBufferFilter<B: Bus = Mmio> {
+pub struct ExtendedFilter<B: Bus = Mmio> {
     bus: B,
     offset: usize,
 }
-impl<B: Bus> ExtendedBufferFilter<B> {
+impl<B: Bus> ExtendedFilter<B> {
     /// The element at a byte offset of a memory.
     #[inline(always)]
     #[must_use]
@@ -2046,10 +1971,18 @@ impl<B: Bus> ExtendedBufferFilter<B> {
     }
     /// Word `F1`.
     ///
-    /// Destination of a filter that stores in a dedicated Rx Buffer or as debug message.
+    /// Type and second identifier of a filter that stores in a FIFO, rejects or sets priority, or of an element that is skipped.
     #[inline(always)]
     #[must_use]
-    pub fn f1(&self) -> Reg<ExtendedBufferFilterF1, B> {
+    pub fn f1(&self) -> Reg<ExtendedFilterF1, B> {
+        Reg::new(self.bus, self.offset + 0x4)
+    }
+    /// Word `F1_RX_BUFFER`.
+    ///
+    /// The same word with the action rx\_buffer, in which the second ID tells where the message goes.
+    #[inline(always)]
+    #[must_use]
+    pub fn f1_rx_buffer(&self) -> Reg<ExtendedFilterF1RxBuffer, B> {
         Reg::new(self.bus, self.offset + 0x4)
     }
 }

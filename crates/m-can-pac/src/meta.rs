@@ -358,7 +358,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::XIDAM_FIELDS,
-            source: "§2.3.23 Table 24 p.29; Table 1 p.6 (reset and access); §3.4.1.5 p.68",
+            source: "§2.3.23 Table 24 p.29; Table 1 p.6 (reset and access); §2.4.6 p.54; §3.4.1 p.66; §3.4.1.5 p.68",
         },
         RegisterInfo {
             name: "HPMS",
@@ -373,7 +373,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::HPMS_FIELDS,
-            source: "§2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)",
+            source: "§2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78",
         },
         RegisterInfo {
             name: "NDAT1",
@@ -388,7 +388,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::NDAT1_FIELDS,
-            source: "§2.3.25 Table 26 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71",
+            source: "§2.3.25 Table 26 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71; §3.4.4.1 p.72",
         },
         RegisterInfo {
             name: "NDAT2",
@@ -403,7 +403,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::NDAT2_FIELDS,
-            source: "§2.3.26 Table 27 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71",
+            source: "§2.3.26 Table 27 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71; §3.4.4.1 p.72",
         },
         RegisterInfo {
             name: "RXF0C",
@@ -418,7 +418,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::RXF0C_FIELDS,
-            source: "§2.3.27 Table 28 p.31; Table 1 p.6 (reset and access); §3.4.2 p.69",
+            source: "§2.3.27 Table 28 p.31; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.4.2.2 p.70",
         },
         RegisterInfo {
             name: "RXF0S",
@@ -433,7 +433,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::RXF0S_FIELDS,
-            source: "§2.3.28 Table 29 p.32; Table 1 p.6 (reset and access); §3.4.2 p.69",
+            source: "§2.3.28 Table 29 p.32; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57",
         },
         RegisterInfo {
             name: "RXF0A",
@@ -478,7 +478,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::RXF1C_FIELDS,
-            source: "§2.3.31 Table 32 p.34; Table 1 p.6 (reset and access); §3.4.2 p.69",
+            source: "§2.3.31 Table 32 p.34; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.4.2.2 p.70",
         },
         RegisterInfo {
             name: "RXF1S",
@@ -493,7 +493,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::RXF1S_FIELDS,
-            source: "§2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69",
+            source: "§2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57",
         },
         RegisterInfo {
             name: "RXF1A",
@@ -553,7 +553,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::TXFQS_FIELDS,
-            source: "§2.3.36 Table 37 p.38; Table 1 p.6 (reset and access); §3.5.3 p.75; §3.5.4 p.76",
+            source: "§2.3.36 Table 37 p.38; Table 1 p.6 (reset and access); §3.5.3 p.75; §3.5.4 p.76; §3.1.1 p.57",
         },
         RegisterInfo {
             name: "TXESC",
@@ -583,7 +583,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::TXBRP_FIELDS,
-            source: "§2.3.38 Table 39 p.40; Table 1 p.6 (reset and access)",
+            source: "§2.3.38 Table 39 p.40; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.1.6 p.61",
         },
         RegisterInfo {
             name: "TXBAR",
@@ -598,7 +598,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::TXBAR_FIELDS,
-            source: "§2.3.39 Table 40 p.41; Table 1 p.6 (reset and access); §3.1.1 p.57",
+            source: "§2.3.39 Table 40 p.41; Table 1 p.6 (reset and access); §2.3.41 p.42; §3.1.1 p.57; §3.5.2 p.75",
         },
         RegisterInfo {
             name: "TXBCR",
@@ -628,7 +628,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::TXBTO_FIELDS,
-            source: "§2.3.41 Table 42 p.42; Table 1 p.6 (reset and access)",
+            source: "§2.3.41 Table 42 p.42; Table 1 p.6 (reset and access); §3.1.1 p.57",
         },
         RegisterInfo {
             name: "TXBCF",
@@ -643,7 +643,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::TXBCF_FIELDS,
-            source: "§2.3.42 Table 43 p.42; Table 1 p.6 (reset and access); §2.3.38 p.40; §3.1.7.1 p.62",
+            source: "§2.3.42 Table 43 p.42; Table 1 p.6 (reset and access); §2.3.38 p.40; §3.1.7.1 p.62; §3.1.1 p.57",
         },
         RegisterInfo {
             name: "TXBTIE",
@@ -703,7 +703,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: false,
             fields: crate::registers::TXEFS_FIELDS,
-            source: "§2.3.46 Table 47 p.45; Table 1 p.6 (reset and access); §3.5.8 p.78",
+            source: "§2.3.46 Table 47 p.45; Table 1 p.6 (reset and access); §3.5.8 p.78; §3.1.1 p.57",
         },
         RegisterInfo {
             name: "TXEFA",
@@ -933,6 +933,54 @@ pub static CONTROLLER: Controller = Controller {
                     },
                 ],
             ),
+            source: "",
+        },
+        Condition {
+            name: "S0.SFEC != rx_buffer",
+            doc: "S0.SFEC != rx_buffer",
+            expr: Expr::Word {
+                message: 3,
+                word: 0,
+                field: 1,
+                comparison: Comparison::NotEqual,
+                value: 7,
+            },
+            source: "",
+        },
+        Condition {
+            name: "S0.SFEC == rx_buffer",
+            doc: "S0.SFEC == rx_buffer",
+            expr: Expr::Word {
+                message: 3,
+                word: 0,
+                field: 1,
+                comparison: Comparison::Equal,
+                value: 7,
+            },
+            source: "",
+        },
+        Condition {
+            name: "F0.EFEC != rx_buffer",
+            doc: "F0.EFEC != rx_buffer",
+            expr: Expr::Word {
+                message: 4,
+                word: 0,
+                field: 0,
+                comparison: Comparison::NotEqual,
+                value: 7,
+            },
+            source: "",
+        },
+        Condition {
+            name: "F0.EFEC == rx_buffer",
+            doc: "F0.EFEC == rx_buffer",
+            expr: Expr::Word {
+                message: 4,
+                word: 0,
+                field: 0,
+                comparison: Comparison::Equal,
+                value: 7,
+            },
             source: "",
         },
         Condition {
@@ -1303,7 +1351,7 @@ pub static CONTROLLER: Controller = Controller {
     ],
     effects: &[
         Effect {
-            on: 10,
+            on: 14,
             doc: "Resets the status of FIFOs, Tx Buffers and high priority messages and holds the Tx and Rx Handler idle. The copies of IR flags in RXF0S, RXF1S and TXEFS keep following IR.",
             resets: &[23, 35, 37, 40, 41],
             resets_fields: &[
@@ -1376,7 +1424,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 11,
+            on: 15,
             doc: "Stops message transfer, holds m_can_tx recessive, stops the timeout counter and clears the transmitter delay value. Error counters and configuration keep their values.",
             resets: &[],
             resets_fields: &[
@@ -1390,7 +1438,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: false,
         },
         Effect {
-            on: 12,
+            on: 16,
             doc: "Ends configuration mode together with software initialization.",
             resets: &[],
             resets_fields: &[
@@ -1404,7 +1452,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: false,
         },
         Effect {
-            on: 13,
+            on: 17,
             doc: "Ends all test functions.",
             resets: &[4],
             resets_fields: &[],
@@ -1413,7 +1461,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 14,
+            on: 18,
             doc: "Going Bus_Off takes the node into software initialization. After software has cleared CCCR.INIT, Bus_Off ends with 129 sequences of 11 recessive bits.",
             resets: &[],
             resets_fields: &[],
@@ -1430,7 +1478,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: false,
         },
         Effect {
-            on: 15,
+            on: 19,
             doc: "An uncorrected Message RAM bit error starts software initialization, so that no corrupted data is sent.",
             resets: &[],
             resets_fields: &[],
@@ -1447,7 +1495,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: false,
         },
         Effect {
-            on: 16,
+            on: 20,
             doc: "While a clock stop is acknowledged CCCR.INIT cannot be cleared.",
             resets: &[],
             resets_fields: &[],
@@ -1464,7 +1512,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 17,
+            on: 21,
             doc: "Bus Monitoring Mode takes no transmission requests. Internal loop back, which needs both bits, transmits.",
             resets: &[37],
             resets_fields: &[],
@@ -1473,7 +1521,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 18,
+            on: 22,
             doc: "An empty Tx Event FIFO keeps the timeout counter preset.",
             resets: &[],
             resets_fields: &[],
@@ -1493,7 +1541,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 19,
+            on: 23,
             doc: "An empty Rx FIFO 0 keeps the timeout counter preset.",
             resets: &[],
             resets_fields: &[],
@@ -1513,7 +1561,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 20,
+            on: 24,
             doc: "An empty Rx FIFO 1 keeps the timeout counter preset.",
             resets: &[],
             resets_fields: &[],
@@ -1533,7 +1581,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 21,
+            on: 25,
             doc: "The status bit follows the interrupt flag.",
             resets: &[],
             resets_fields: &[],
@@ -1550,7 +1598,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 22,
+            on: 26,
             doc: "The status bit follows the interrupt flag.",
             resets: &[],
             resets_fields: &[
@@ -1564,7 +1612,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 23,
+            on: 27,
             doc: "The status bit follows the interrupt flag.",
             resets: &[],
             resets_fields: &[],
@@ -1581,7 +1629,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 24,
+            on: 28,
             doc: "The status bit follows the interrupt flag.",
             resets: &[],
             resets_fields: &[
@@ -1595,7 +1643,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 25,
+            on: 29,
             doc: "The status bit follows the interrupt flag.",
             resets: &[],
             resets_fields: &[],
@@ -1612,7 +1660,7 @@ pub static CONTROLLER: Controller = Controller {
             holds: true,
         },
         Effect {
-            on: 26,
+            on: 30,
             doc: "The status bit follows the interrupt flag.",
             resets: &[],
             resets_fields: &[
@@ -2314,23 +2362,14 @@ pub static CONTROLLER: Controller = Controller {
                 MessageWord {
                     name: "S0",
                     offset: 0,
-                    present_when: None,
+                    present_when: Some(10),
                     fields: crate::messages::STANDARD_FILTER_S0_FIELDS,
                 },
-            ],
-            payload: None,
-            joined: &[],
-        },
-        Message {
-            name: "STANDARD_BUFFER_FILTER",
-            word_width: 32,
-            header_bytes: 4,
-            words: &[
                 MessageWord {
-                    name: "S0",
+                    name: "S0_RX_BUFFER",
                     offset: 0,
-                    present_when: None,
-                    fields: crate::messages::STANDARD_BUFFER_FILTER_S0_FIELDS,
+                    present_when: Some(11),
+                    fields: crate::messages::STANDARD_FILTER_S0_RX_BUFFER_FIELDS,
                 },
             ],
             payload: None,
@@ -2350,29 +2389,14 @@ pub static CONTROLLER: Controller = Controller {
                 MessageWord {
                     name: "F1",
                     offset: 4,
-                    present_when: None,
+                    present_when: Some(12),
                     fields: crate::messages::EXTENDED_FILTER_F1_FIELDS,
                 },
-            ],
-            payload: None,
-            joined: &[],
-        },
-        Message {
-            name: "EXTENDED_BUFFER_FILTER",
-            word_width: 32,
-            header_bytes: 8,
-            words: &[
                 MessageWord {
-                    name: "F0",
-                    offset: 0,
-                    present_when: None,
-                    fields: crate::messages::EXTENDED_FILTER_F0_FIELDS,
-                },
-                MessageWord {
-                    name: "F1",
+                    name: "F1_RX_BUFFER",
                     offset: 4,
-                    present_when: None,
-                    fields: crate::messages::EXTENDED_BUFFER_FILTER_F1_FIELDS,
+                    present_when: Some(13),
+                    fields: crate::messages::EXTENDED_FILTER_F1_RX_BUFFER_FIELDS,
                 },
             ],
             payload: None,
@@ -2382,7 +2406,7 @@ pub static CONTROLLER: Controller = Controller {
     sections: &[
         Section {
             name: "standard_filters",
-            elements: &[3, 4],
+            elements: &[3],
             start: &[
                 Part {
                     holder: 20,
@@ -2404,7 +2428,7 @@ pub static CONTROLLER: Controller = Controller {
         },
         Section {
             name: "extended_filters",
-            elements: &[5, 6],
+            elements: &[4],
             start: &[
                 Part {
                     holder: 21,

@@ -99,7 +99,7 @@ impl<B: regbus::Bus + crate::guards::CrelHasNoModify> regbus::Modify<B> for Crel
 /// |---|---|---|---|---|
 /// | 31:0 | `ETV` | `ro` | 0x87654321 | 32 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.3 Table 4 p.8; Table 1 p.5 (reset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -186,7 +186,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Cust {
 /// | 7:4 | `DTSEG2` | `rw:config` | 0x3 | 4 bits, in tq |
 /// | 3:0 | `DSJW` | `rw:config` | 0x3 | 4 bits, in tq |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.4 Table 5 p.8; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -215,7 +215,7 @@ impl Dbtp {
     ///
     /// A write has an effect only if config (CCCR.INIT && CCCR.CCE).
     ///
-    /// The manual contradicts itself (`garbled_letters`): Single garbled letters. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
+    /// The manual contradicts itself (`garbled_letters`): Single garbled letters in the transcribed copy. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
     #[inline(always)]
     #[must_use]
     pub const fn tdc(self) -> bool {
@@ -360,7 +360,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Dbtp {
 /// | 6:5 | `TX` | `rw:test_access` | 0x0 | [`TestTx`](crate::enums::TestTx) |
 /// | 4 | `LBCK` | `rw:test_access` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.5 Table 6 p.9; Table 1 p.5 (reset and access); §3.1.9 p.63
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -481,7 +481,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Test {
 /// | 15:8 | `WDV` | `ro` | 0x0 | 8 bits, in m_can_hclk periods |
 /// | 7:0 | `WDC` | `rw:config` | 0x0 | 8 bits, in m_can_hclk periods |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.6 Table 7 p.10; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -511,7 +511,7 @@ impl Rwd {
     ///
     /// The manual contradicts itself (`rwd_bit_numbers`): Both fields are printed with the same bit numbers. Taken: WDV is bits 15:8, WDC is bits 7:0. Because: The overview shows two 8-bit fields in this order, and they cannot overlap.
     ///
-    /// The manual contradicts itself (`garbled_letters`): Single garbled letters. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
+    /// The manual contradicts itself (`garbled_letters`): Single garbled letters in the transcribed copy. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
     #[inline(always)]
     #[must_use]
     pub const fn wdc(self) -> u8 {
@@ -550,7 +550,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rwd {
 ///
 /// Hazard: Clearing INIT also clears CCE. Set INIT first, wait until it reads 1, then set CCE in a second write.
 ///
-/// No `modify`: `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and 1 more between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Cccr` cannot be read-modified-written: hardware changes CSR, ASM and INIT between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -573,7 +573,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rwd {
 /// | 1 | `CCE` | `rwh:init` | 0x0 | bool |
 /// | 0 | `INIT` | `rwh` | 0x1 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.7 Table 8 p.11; Table 1 p.5 (reset and access); §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -891,9 +891,9 @@ impl<B: regbus::Bus + crate::guards::CccrHasNoModify> regbus::Modify<B> for Cccr
 /// | 15:8 | `NTSEG1` | `rw:config` | 0xa | 8 bits, in tq |
 /// | 6:0 | `NTSEG2` | `rw:config` | 0x3 | 7 bits, in tq |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`nbtp_reset`): Two reset values. Taken: 0x0600\_0A03. Because: It gives the documented 500 kbit/s at 8 MHz; the other is the reset of DBTP and would put NTSEG2 across its boundary.
+/// The manual contradicts itself (`nbtp_reset`): Two reset values. Taken: 0x0600\_0A03. Because: It gives the documented 500 kbit/s at 8 MHz; the other is the reset of DBTP and would give 125 kbit/s (64 quanta).
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.8 Table 9 p.13; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1050,7 +1050,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Nbtp {
 /// | 19:16 | `TCP` | `rw:config` | 0x0 | 4 bits, in bit times |
 /// | 1:0 | `TSS` | `rw:config` | 0x0 | [`TsccTss`](crate::enums::TsccTss) |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.9 Table 10 p.14; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1118,7 +1118,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tscc {
 ///
 /// Hazard: A write to any one of the four bytes resets the counter, even to a byte that holds no bit of it.
 ///
-/// No `modify`: `Tscv` cannot be read-modified-written: hardware changes TSC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Tscv` cannot be read-modified-written: any write clears or presets TSC; use `write(Tscv::ZERO)` if that is what you want.
 ///
 /// # Fields
 ///
@@ -1126,7 +1126,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tscc {
 /// |---|---|---|---|---|
 /// | 15:0 | `TSC` | `wclr:timestamp_resettable` | 0x0 | 16 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.10 Table 11 p.14; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1170,7 +1170,7 @@ impl<B: regbus::Bus + crate::guards::TscvHasNoModify> regbus::Modify<B> for Tscv
 /// | 2:1 | `TOS` | `rw:config` | 0x0 | [`ToccTos`](crate::enums::ToccTos) |
 /// | 0 | `ETOC` | `rw:config` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.11 Table 12 p.15; Table 1 p.5 (reset and access); §3.3 p.64
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1244,7 +1244,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tocc {
 ///
 /// Hazard: In Continuous Mode a write to any one of the four bytes presets the counter, even to a byte that holds no bit of it.
 ///
-/// No `modify`: `Tocv` cannot be read-modified-written: hardware changes TOC between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Tocv` cannot be read-modified-written: any write clears or presets TOC; use `write(Tocv::ZERO)` if that is what you want.
 ///
 /// # Fields
 ///
@@ -1252,11 +1252,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tocc {
 /// |---|---|---|---|---|
 /// | 15:0 | `TOC` | `wclr:timeout_continuous` | 0xffff | 16 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`tocv_bit_table`): The only remaining entry of the bit table is garbled. Taken: Read and preset on write, reset 0xFFFF. Because: It is the garbled form of RC-0xFFFF.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.12 Table 13 p.15; Table 1 p.5 (reset and access); §3.3 p.64
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1303,9 +1303,9 @@ impl<B: regbus::Bus + crate::guards::TocvHasNoModify> regbus::Modify<B> for Tocv
 /// | 14:8 | `REC` | `ro` | 0x0 | 7 bits |
 /// | 7:0 | `TEC` | `ro` | 0x0 | 8 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.13 Table 14 p.16; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1380,9 +1380,9 @@ impl<B: regbus::Bus + crate::guards::EcrHasNoModify> regbus::Modify<B> for Ecr {
 /// | 4:3 | `ACT` | `ro` | 0x0 | [`Activity`](crate::enums::Activity) |
 /// | 2:0 | `LEC` | `ro+rs@0` | 0x7 | [`LastErrorCode`](crate::enums::LastErrorCode) |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.14 Table 15 p.17; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1535,9 +1535,9 @@ impl<B: regbus::Bus + crate::guards::PsrHasNoModify> regbus::Modify<B> for Psr {
 /// | 14:8 | `TDCO` | `rw:config` | 0x0 | 7 bits, in mtq |
 /// | 6:0 | `TDCF` | `rw:config` | 0x0 | 7 bits, in mtq |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.15 Table 16 p.19; Table 1 p.5 (reset and access); §3.1.4 p.59
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1655,9 +1655,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Tdcr {
 /// | 1 | `RF0W` | `w1c` | 0x0 | bool |
 /// | 0 | `RF0N` | `w1c` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.16 Table 17 p.20; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -1957,7 +1957,7 @@ impl Ir {
     ///
     /// A flag: writing 1 clears it, writing 0 does nothing.
     ///
-    /// The manual contradicts itself (`garbled_letters`): Single garbled letters. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
+    /// The manual contradicts itself (`garbled_letters`): Single garbled letters in the transcribed copy. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
     #[inline(always)]
     #[must_use]
     pub const fn rf1n(self) -> bool {
@@ -2060,7 +2060,7 @@ impl regbus::Clear for Ir {
 /// | 1 | `RF0WE` | `rw` | 0x0 | bool |
 /// | 0 | `RF0NE` | `rw` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.17 Table 18 p.23; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -2572,7 +2572,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Ie {
 /// | 1 | `RF0WL` | `rw` | 0x0 | [`InterruptLine`](crate::enums::InterruptLine) |
 /// | 0 | `RF0NL` | `rw` | 0x0 | [`InterruptLine`](crate::enums::InterruptLine) |
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.18 Table 19 p.25; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -3120,11 +3120,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Ils {
 /// | 1 | `EINT1` | `rw` | 0x0 | bool |
 /// | 0 | `EINT0` | `rw` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`ile_table_title`): Table 20 carries the title of Table 19. Taken: Interrupt Line Enable. Because: The section and the register map name it so.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.19 Table 20 p.26; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -3188,9 +3188,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Ile {
 /// | 1 | `RRFS` | `rw:config` | 0x0 | [`RemoteFrames`](crate::enums::RemoteFrames) |
 /// | 0 | `RRFE` | `rw:config` | 0x0 | [`RemoteFrames`](crate::enums::RemoteFrames) |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.20 Table 21 p.27; Table 1 p.5 (reset and access)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -3308,9 +3308,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Gfc {
 /// | 23:16 | `LSS` | `rw:config` | 0x0 | 8 bits, in elements |
 /// | 15:2 | `FLSSA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.21 Table 22 p.28; Table 1 p.5 (reset and access); §2.4.1 p.46
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -3396,11 +3396,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Sidfc {
 /// | 22:16 | `LSE` | `rw:config` | 0x0 | 7 bits, in elements |
 /// | 15:2 | `FLESA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`xidfc_path`): The register is said to concern standard messages. Taken: Extended messages. Because: Title, fields and figure concern 29-bit identifiers.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.22 Table 23 p.28; Table 1 p.6 (reset and access); §2.4.1 p.46
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -3490,11 +3490,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Xidfc {
 /// |---|---|---|---|---|
 /// | 28:0 | `EIDM` | `rw:config` | 0x1fffffff | 29 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.23 Table 24 p.29; Table 1 p.6 (reset and access); §3.4.1.5 p.68
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.23 Table 24 p.29; Table 1 p.6 (reset and access); §2.4.6 p.54; §3.4.1 p.66; §3.4.1.5 p.68
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Xidam(u32);
@@ -3559,11 +3559,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Xidam {
 /// | 7:6 | `MSI` | `ro` | 0x0 | [`HpmsMsi`](crate::enums::HpmsMsi) |
 /// | 5:0 | `BIDX` | `ro` | 0x0 | 6 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible. Taken: The register pages of section 2.3. Because: They are complete for these registers.
+/// The manual contradicts itself (`overview_page_garbled`): The second page of the register overview is hardly legible in the transcribed copy. Taken: The register pages of section 2.3. Because: They are complete for these registers.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access)
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.24 Table 25 p.29; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.6 p.78
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Hpms(u32);
@@ -3627,7 +3627,7 @@ impl<B: regbus::Bus + crate::guards::HpmsHasNoModify> regbus::Modify<B> for Hpms
 ///
 /// The manual contradicts itself (`ndat_legend`): The legend knows no write access. Taken: Write 1 to clear. Because: Text, bit rows and register map agree.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.25 Table 26 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.25 Table 26 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71; §3.4.4.1 p.72
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Ndat1(u32);
@@ -3700,7 +3700,7 @@ impl regbus::Clear for Ndat1 {
 ///
 /// The manual contradicts itself (`ndat_legend`): The legend knows no write access. Taken: Write 1 to clear. Because: Text, bit rows and register map agree.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.26 Table 27 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.26 Table 27 p.30; Table 1 p.6 (reset and access); §3.4.3 p.71; §3.4.4.1 p.72
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Ndat2(u32);
@@ -3778,9 +3778,9 @@ impl regbus::Clear for Ndat2 {
 /// | 22:16 | `F0S` | `rw:config` | 0x0 | 7 bits, in elements |
 /// | 15:2 | `F0SA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.27 Table 28 p.31; Table 1 p.6 (reset and access); §3.4.2 p.69
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.27 Table 28 p.31; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.4.2.2 p.70
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Rxf0c(u32);
@@ -3915,9 +3915,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rxf0c {
 /// | 13:8 | `F0GI` | `ro` | 0x0 | 6 bits |
 /// | 6:0 | `F0FL` | `ro` | 0x0 | 7 bits, in elements |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.28 Table 29 p.32; Table 1 p.6 (reset and access); §3.4.2 p.69
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.28 Table 29 p.32; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Rxf0s(u32);
@@ -3986,7 +3986,7 @@ impl<B: regbus::Bus + crate::guards::Rxf0sHasNoModify> regbus::Modify<B> for Rxf
 ///
 /// Hazard: Every write moves the get index, a written-back copy too. Write only right after reading elements.
 ///
-/// No `modify`: `Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Rxf0a` cannot be read-modified-written: hardware changes F0AI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -3994,7 +3994,7 @@ impl<B: regbus::Bus + crate::guards::Rxf0sHasNoModify> regbus::Modify<B> for Rxf
 /// |---|---|---|---|---|
 /// | 5:0 | `F0AI` | `rwh` | 0x0 | 6 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.29 Table 30 p.33; Table 1 p.6 (reset and access); §3.6 p.78
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -4059,7 +4059,7 @@ impl<B: regbus::Bus + crate::guards::Rxf0aHasNoModify> regbus::Modify<B> for Rxf
 /// |---|---|---|---|---|
 /// | 15:2 | `RBSA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.30 Table 31 p.33; Table 1 p.6 (reset and access); §3.4.3 p.71
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -4127,9 +4127,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rxbc {
 /// | 22:16 | `F1S` | `rw:config` | 0x0 | 7 bits, in elements |
 /// | 15:2 | `F1SA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.31 Table 32 p.34; Table 1 p.6 (reset and access); §3.4.2 p.69
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.31 Table 32 p.34; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.4.2.2 p.70
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Rxf1c(u32);
@@ -4263,9 +4263,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rxf1c {
 /// | 6:0 | `F1FL` | `ro` | 0x0 | 7 bits, in elements |
 /// | 31:30 | `DMS` | `ro` | 0x0 | [`Rxf1sDms`](crate::enums::Rxf1sDms) |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.32 Table 33 p.34; §2.3.32 p.35; Table 1 p.6 (reset and access); §3.4.2 p.69; §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Rxf1s(u32);
@@ -4343,7 +4343,7 @@ impl<B: regbus::Bus + crate::guards::Rxf1sHasNoModify> regbus::Modify<B> for Rxf
 ///
 /// Hazard: Every write moves the get index, a written-back copy too. Write only right after reading elements.
 ///
-/// No `modify`: `Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Rxf1a` cannot be read-modified-written: hardware changes F1AI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -4351,7 +4351,7 @@ impl<B: regbus::Bus + crate::guards::Rxf1sHasNoModify> regbus::Modify<B> for Rxf
 /// |---|---|---|---|---|
 /// | 5:0 | `F1AI` | `rwh` | 0x0 | 6 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.33 Table 34 p.35; Table 1 p.6 (reset and access); §3.6 p.78
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -4418,7 +4418,7 @@ impl<B: regbus::Bus + crate::guards::Rxf1aHasNoModify> regbus::Modify<B> for Rxf
 /// | 6:4 | `F1DS` | `rw:config` | 0x0 | [`DataFieldSize`](crate::enums::DataFieldSize) |
 /// | 2:0 | `F0DS` | `rw:config` | 0x0 | [`DataFieldSize`](crate::enums::DataFieldSize) |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`undefined_legend`): The legend announces undefined bits where all resets are known. Taken: 0. Because: The register map gives the value, and no field is described as undefined.
 ///
@@ -4519,7 +4519,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Rxesc {
 /// | 21:16 | `NDTB` | `rw:config` | 0x0 | 6 bits, in elements |
 /// | 15:2 | `TBSA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// *M\_CAN Controller Area Network User's Manual*, §2.3.35 Table 36 p.37; Table 1 p.6 (reset and access); §3.5.5 p.76
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -4650,9 +4650,9 @@ impl<B: regbus::Bus> regbus::Modify<B> for Txbc {
 /// | 12:8 | `TFGI` | `ro` | 0x0 | 5 bits |
 /// | 5:0 | `TFFL` | `ro` | 0x0 | 6 bits, in elements |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.36 Table 37 p.38; Table 1 p.6 (reset and access); §3.5.3 p.75; §3.5.4 p.76
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.36 Table 37 p.38; Table 1 p.6 (reset and access); §3.5.3 p.75; §3.5.4 p.76; §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Txfqs(u32);
@@ -4722,7 +4722,7 @@ impl<B: regbus::Bus + crate::guards::TxfqsHasNoModify> regbus::Modify<B> for Txf
 /// |---|---|---|---|---|
 /// | 2:0 | `TBDS` | `rw:config` | 0x0 | [`DataFieldSize`](crate::enums::DataFieldSize) |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`undefined_legend`): The legend announces undefined bits where all resets are known. Taken: 0. Because: The register map gives the value, and no field is described as undefined.
 ///
@@ -4776,13 +4776,13 @@ impl<B: regbus::Bus> regbus::Modify<B> for Txesc {
 /// |---|---|---|---|---|
 /// | 32 × 0 | `TRP` | `ro` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`monitoring_and_loop_back`): Bus Monitoring Mode forbids what internal loop back needs. Taken: With LBCK set, MON does not hold TXBRP in reset; messages are sent internally and m\_can\_tx stays recessive. Because: Otherwise internal loop back could not work.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.38 Table 39 p.40; Table 1 p.6 (reset and access)
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.38 Table 39 p.40; Table 1 p.6 (reset and access); §3.1.1 p.57; §3.1.6 p.61
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Txbrp(u32);
@@ -4849,7 +4849,7 @@ impl<B: regbus::Bus + crate::guards::TxbrpHasNoModify> regbus::Modify<B> for Txb
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.39 Table 40 p.41; Table 1 p.6 (reset and access); §3.1.1 p.57
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.39 Table 40 p.41; Table 1 p.6 (reset and access); §2.3.41 p.42; §3.1.1 p.57; §3.5.2 p.75
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Txbar(u32);
@@ -5025,11 +5025,11 @@ impl regbus::Request for Txbcr {
 /// |---|---|---|---|---|
 /// | 32 × 0 | `TO` | `ro` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.41 Table 42 p.42; Table 1 p.6 (reset and access)
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.41 Table 42 p.42; Table 1 p.6 (reset and access); §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Txbto(u32);
@@ -5090,7 +5090,7 @@ impl<B: regbus::Bus + crate::guards::TxbtoHasNoModify> regbus::Modify<B> for Txb
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.42 Table 43 p.42; Table 1 p.6 (reset and access); §2.3.38 p.40; §3.1.7.1 p.62
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.42 Table 43 p.42; Table 1 p.6 (reset and access); §2.3.38 p.40; §3.1.7.1 p.62; §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Txbcf(u32);
@@ -5153,7 +5153,7 @@ impl<B: regbus::Bus + crate::guards::TxbcfHasNoModify> regbus::Modify<B> for Txb
 /// |---|---|---|---|---|
 /// | 32 × 0 | `TIE` | `rw` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
@@ -5168,7 +5168,7 @@ regbus::register!(Txbtie, u32, "TXBTIE", 0x0000_0000, TXBTIE_FIELDS);
 impl Txbtie {
     /// `TIE` (32 lanes, the first at bits 0, `rw`): Enables the transmission interrupt of the Tx Buffer of this number.
     ///
-    /// The manual contradicts itself (`garbled_letters`): Single garbled letters. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
+    /// The manual contradicts itself (`garbled_letters`): Single garbled letters in the transcribed copy. Taken: 1, TIE, TDC and WDC. Because: The field descriptions are legible.
     ///
     /// # Panics
     ///
@@ -5236,7 +5236,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Txbtie {
 /// |---|---|---|---|---|
 /// | 32 × 0 | `CFIE` | `rw` | 0x0 | bool |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
@@ -5325,7 +5325,7 @@ impl<B: regbus::Bus> regbus::Modify<B> for Txbcie {
 /// | 21:16 | `EFS` | `rw:config` | 0x0 | 6 bits, in elements |
 /// | 15:2 | `EFSA` | `rw:config` | 0x0 | 14 bits, in words |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
@@ -5445,11 +5445,11 @@ impl<B: regbus::Bus> regbus::Modify<B> for Txefc {
 /// | 12:8 | `EFGI` | `ro` | 0x0 | 5 bits |
 /// | 5:0 | `EFFL` | `ro` | 0x0 | 6 bits, in elements |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///
-/// *M\_CAN Controller Area Network User's Manual*, §2.3.46 Table 47 p.45; Table 1 p.6 (reset and access); §3.5.8 p.78
+/// *M\_CAN Controller Area Network User's Manual*, §2.3.46 Table 47 p.45; Table 1 p.6 (reset and access); §3.5.8 p.78; §3.1.1 p.57
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Txefs(u32);
@@ -5518,7 +5518,7 @@ impl<B: regbus::Bus + crate::guards::TxefsHasNoModify> regbus::Modify<B> for Txe
 ///
 /// Hazard: Every write moves the get index, a written-back copy too. Write only right after reading elements.
 ///
-/// No `modify`: `Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write; use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits.
+/// No `modify`: `Txefa` cannot be read-modified-written: hardware changes EFAI between the read and the write; say what each of these fields becomes: `reg.write(reg.read().with_..(..))`.
 ///
 /// # Fields
 ///
@@ -5526,7 +5526,7 @@ impl<B: regbus::Bus + crate::guards::TxefsHasNoModify> regbus::Modify<B> for Txe
 /// |---|---|---|---|---|
 /// | 4:0 | `EFAI` | `rwh` | 0x0 | 5 bits |
 ///
-/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
+/// The manual contradicts itself (`bit_tables_missing`): The bit tables with the access and reset of single bits are not legible for most registers in the transcribed copy. Taken: Access letters of the register map, refined by the field descriptions and the functional description. Because: These are the remaining statements of the manual about access, and they agree with each other.
 ///
 /// The manual contradicts itself (`overview_page_turned`): The last page of the register overview is turned, with bits in rows and registers in columns. Taken: Nothing changes. Because: It agrees with section 2.3.
 ///

@@ -229,7 +229,17 @@ impl FrameType {
 regbus::enumeration!(FrameType, FRAME_TYPE_VALUES);
 pub(crate) const DATA_LENGTH_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
     name: "data_length",
-    values: &[(0, 7, "bytes"), (8, 15, "eight_bytes")],
+    values: &[
+        (0, 0, "bytes_0"),
+        (1, 1, "bytes_1"),
+        (2, 2, "bytes_2"),
+        (3, 3, "bytes_3"),
+        (4, 4, "bytes_4"),
+        (5, 5, "bytes_5"),
+        (6, 6, "bytes_6"),
+        (7, 7, "bytes_7"),
+        (8, 15, "bytes_8"),
+    ],
     reserved: &[],
 };
 /// Data length code of a message.
@@ -237,10 +247,42 @@ pub(crate) const DATA_LENGTH_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 /// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Figure 34-12 p.63
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DataLength {
-    /// 0 to 7: n data bytes. It holds the value itself.
-    Bytes(u8),
+    /// 0: `bytes_0`
+    ///
+    /// Stands for 0.
+    Bytes0,
+    /// 1: `bytes_1`
+    ///
+    /// Stands for 1.
+    Bytes1,
+    /// 2: `bytes_2`
+    ///
+    /// Stands for 2.
+    Bytes2,
+    /// 3: `bytes_3`
+    ///
+    /// Stands for 3.
+    Bytes3,
+    /// 4: `bytes_4`
+    ///
+    /// Stands for 4.
+    Bytes4,
+    /// 5: `bytes_5`
+    ///
+    /// Stands for 5.
+    Bytes5,
+    /// 6: `bytes_6`
+    ///
+    /// Stands for 6.
+    Bytes6,
+    /// 7: `bytes_7`
+    ///
+    /// Stands for 7.
+    Bytes7,
     /// 8 to 15: Eight data bytes whatever the three lower bits. It holds the value itself.
-    EightBytes(u8),
+    ///
+    /// Stands for 8.
+    Bytes8(u8),
 }
 impl DataLength {
     /// The value of a field's bits; bits above the field are ignored where they decide nothing.
@@ -248,8 +290,15 @@ impl DataLength {
     #[must_use]
     pub const fn from_bits(bits: u8) -> Self {
         match bits {
-            0..=7 => Self::Bytes(bits),
-            _ => Self::EightBytes(bits),
+            0 => Self::Bytes0,
+            1 => Self::Bytes1,
+            2 => Self::Bytes2,
+            3 => Self::Bytes3,
+            4 => Self::Bytes4,
+            5 => Self::Bytes5,
+            6 => Self::Bytes6,
+            7 => Self::Bytes7,
+            _ => Self::Bytes8(bits),
         }
     }
     /// The bits of the value.
@@ -261,18 +310,38 @@ impl DataLength {
     #[must_use]
     pub const fn bits(self) -> u8 {
         match self {
-            Self::Bytes(value) => {
-                regbus::bits::within(value as u32, 0, 7, "DataLength::Bytes takes 0..=7")
-                    as u8
-            }
-            Self::EightBytes(value) => {
+            Self::Bytes0 => 0,
+            Self::Bytes1 => 1,
+            Self::Bytes2 => 2,
+            Self::Bytes3 => 3,
+            Self::Bytes4 => 4,
+            Self::Bytes5 => 5,
+            Self::Bytes6 => 6,
+            Self::Bytes7 => 7,
+            Self::Bytes8(value) => {
                 regbus::bits::within(
                     value as u32,
                     8,
                     15,
-                    "DataLength::EightBytes takes 8..=15",
+                    "DataLength::Bytes8 takes 8..=15",
                 ) as u8
             }
+        }
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Bytes0 => Some(0),
+            Self::Bytes1 => Some(1),
+            Self::Bytes2 => Some(2),
+            Self::Bytes3 => Some(3),
+            Self::Bytes4 => Some(4),
+            Self::Bytes5 => Some(5),
+            Self::Bytes6 => Some(6),
+            Self::Bytes7 => Some(7),
+            Self::Bytes8(_) => Some(8),
         }
     }
 }
@@ -382,8 +451,12 @@ pub(crate) const CFG_SAM_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 #[repr(u8)]
 pub enum CfgSam {
     /// 0: The bus is sampled once.
+    ///
+    /// Stands for 1.
     Once = 0,
     /// 1: The bus is sampled three times and the majority decides. Not allowed with BRP below 2.
+    ///
+    /// Stands for 3.
     ThreeTimes = 1,
 }
 impl CfgSam {
@@ -401,6 +474,15 @@ impl CfgSam {
     #[must_use]
     pub const fn bits(self) -> u8 {
         self as u8
+    }
+    /// The quantity the value stands for, if it is one.
+    #[inline]
+    #[must_use]
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Self::Once => Some(1),
+            Self::ThreeTimes => Some(3),
+        }
     }
 }
 regbus::enumeration!(CfgSam, CFG_SAM_VALUES);
@@ -456,7 +538,7 @@ pub(crate) const RXM_MIDE_VALUES: &regbus::meta::Enum = &regbus::meta::Enum {
 ///
 /// Used by [`Rxm::mide`](crate::registers::Rxm::mide).
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-9 p.26; §34.8.3; Table 34-1 p.11 (offset)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-9 p.26; §34.8.3 p.75; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum RxmMide {
@@ -727,7 +809,7 @@ pub(crate) const RX_BUFFER_CMSGSID_FILHIT_VALUES: &regbus::meta::Enum = &regbus:
 };
 /// Values of `RX_BUFFER_CMSGSID_FILHIT`.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5; §34.9 p.80; Example 34-13
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RxBufferCmsgsidFilhit {
     /// 0 to 31: Filter n. It holds the value itself.

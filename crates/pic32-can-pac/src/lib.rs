@@ -26,7 +26,7 @@
 //!
 //! # About the manual
 //!
-//! Pages are printed as 34-1 to 34-101; a page number in this file is the number behind the hyphen. Base addresses, interrupt numbers, pins and the RAM that message buffers may lie in are left to the data sheet of the device. The contents of most figures (34-1 to 34-8, 34-11, 34-15, 34-18 to 34-29, 34-31 to 34-33, 34-37 to 34-39) were not available for this transcription; no bit depends on them alone.
+//! Pages are printed as 34-1 to 34-101; a page number in this file is the number behind the hyphen. Base addresses, interrupt numbers, pins and the RAM that message buffers may lie in are left to the data sheet of the device. Most figures (34-1 to 34-8, 34-11, 34-15, 34-18 to 34-29, 34-31 to 34-33, 34-37 to 34-39) are not legible in the copy that was transcribed; no bit depends on them alone.
 //!
 //! # Features
 //!
@@ -39,18 +39,16 @@
     clippy::identity_op,
     clippy::module_inception,
     clippy::unnecessary_cast,
+    rustdoc::redundant_explicit_links,
     reason = "one form of body serves all widths"
 )]
-#![allow(
-    rustdoc::redundant_explicit_links,
-    reason = "links are explicit wherever they are generated"
-)]
+#[rustfmt::skip]
 pub mod enums;
+#[rustfmt::skip]
 pub mod guards;
+#[rustfmt::skip]
 pub mod instances;
-pub mod messages;
-#[cfg(feature = "meta")]
-pub mod meta;
+#[rustfmt::skip]
 pub mod manual_notes {
     //! Where the manual contradicts itself or is silent, and what is taken.
     //!
@@ -109,7 +107,7 @@ pub mod manual_notes {
     //! About [`FIFOINT.RXOVFLIF`](crate::registers::FifoInt::rxovflif), [`FIFOINT.RXFULLIF`](crate::registers::FifoInt::rxfullif), [`FIFOINT.RXHALFIF`](crate::registers::FifoInt::rxhalfif), [`FIFOINT.RXNEMPTYIF`](crate::registers::FifoInt::rxnemptyif).
     //!
     //! - Register 34-21 p.47: RXOVFLIF is bit 3, RXFULLIF 2, RXHALFIF 1 and RXNEMPTYIF 0.
-    //! - §34.12.3: RXOVFLIF is bit 11, RXFULLIF 10, RXHALFIF 9 and RXNEMPTYIF 8.
+    //! - §34.12.3 p.97: RXOVFLIF is bit 11, RXFULLIF 10, RXHALFIF 9 and RXNEMPTYIF 8.
     //!
     //! Taken: Bits 3, 2, 1 and 0. Bits 10 to 8 are the transmit flags in the same lists; sections 34.7.5 and 34.12.5 put RXOVFLIF at bit 3.
     //!
@@ -120,7 +118,7 @@ pub mod manual_notes {
     //! About [`FIFOCON.TXPRI`](crate::registers::FifoCon::txpri).
     //!
     //! - Register 34-20 p.46: TXPR.
-    //! - §34.7.3: TXPRI, as in the summary.
+    //! - §34.7.3 p.68: TXPRI, as in the summary.
     //!
     //! Taken: TXPRI. Summary and text use it, and so does the processor header.
     //!
@@ -132,7 +130,7 @@ pub mod manual_notes {
     //!
     //! - Register 34-20 p.45: DONLY with note 4, only in Configuration mode.
     //! - Register 34-20 p.46: ONLY with note 1, the clear register.
-    //! - §34.9.1: ONLY.
+    //! - §34.9.1 p.84: ONLY.
     //!
     //! Taken: DONLY, protected by Configuration mode. The diagram, the summary and the list of protected bits in 34.5.1 agree.
     //!
@@ -164,8 +162,8 @@ pub mod manual_notes {
     //!
     //! About [`FIFOINT.TXHALFIF`](crate::registers::FifoInt::txhalfif), [`FIFOINT.TXEMPTYIF`](crate::registers::FifoInt::txemptyif), [`FIFOINT.RXNEMPTYIF`](crate::registers::FifoInt::rxnemptyif), [`FIFOINT.RXOVFLIF`](crate::registers::FifoInt::rxovflif), [`RXOVF.RXOVF`](crate::registers::Rxovf::rxovf), [`INT.RBOVIF`](crate::registers::Int::rbovif).
     //!
-    //! - §34.12.2: TXNHALFIF, TXNEMPTYIF and RXOVLIF, and RXEMPTYIF as the empty interrupt.
-    //! - §34.12.1.7: Bits RXOVIFn in CiRXOVF, and receive FIFO overrun for RBOVIF.
+    //! - §34.12.2 p.96: TXNHALFIF, TXNEMPTYIF and RXOVLIF, and RXEMPTYIF as the empty interrupt.
+    //! - §34.12.1.7 p.96: Bits RXOVIFn in CiRXOVF, and receive FIFO overrun for RBOVIF.
     //! - Register 34-21 p.48: TXHALFIF, TXEMPTYIF and RXOVFLIF.
     //!
     //! Taken: The names and meanings of the register pages. The numbers given with the names are those of the register pages, and no further flags exist.
@@ -178,8 +176,8 @@ pub mod manual_notes {
     //!
     //! - Register 34-19 p.44: CiFIFOBA.
     //! - §34.6 p.55: CiFIFOBAn, as if there were several.
-    //! - §34.6.1: CiFIFOBFA.
-    //! - Example 34-2: C1FIFOB.
+    //! - §34.6.1 p.57: CiFIFOBFA.
+    //! - Example 34-2 p.58: C1FIFOB.
     //!
     //! Taken: CiFIFOBA, one register. Register page and summary agree.
     //!
@@ -202,7 +200,7 @@ pub mod manual_notes {
     //!
     //! About [`CON.CANBUSY`](crate::registers::Con::canbusy).
     //!
-    //! - §34.12.1.4: BUSY in CiCON.
+    //! - §34.12.1.4 p.95: BUSY in CiCON.
     //! - Register 34-1 p.15: CANBUSY.
     //!
     //! Taken: CANBUSY. CiCON has one busy bit.
@@ -214,8 +212,8 @@ pub mod manual_notes {
     //! About [`TMR.CANTSPRE`](crate::registers::Tmr::cantspre), [`CFG.BRP`](crate::registers::Cfg::brp), [`CFG`](crate::registers::Cfg).
     //!
     //! - §34.13 p.98: CANSTPRE.
-    //! - Example 34-17: BRPVAL.
-    //! - Example 34-16: CiCFG1.
+    //! - Example 34-17 p.90: BRPVAL.
+    //! - Example 34-16 p.90: CiCFG1.
     //!
     //! Taken: CANTSPRE, BRP and CiCFG. So on the register pages.
     //!
@@ -267,8 +265,8 @@ pub mod manual_notes {
     //! About [`RX_BUFFER.CMSGSID`](crate::messages::RxBufferCmsgsid), [`RX_DATA_BUFFER`](crate::messages::RxDataBuffer).
     //!
     //! - §34.13 p.98: CMSGOSID.
-    //! - Table 34-6: CMSG0DATA0 and CMSG0DATA1.
-    //! - Table 34-5: CMSGSID, CMSGEID, CMSGDATA0 and CMSGDATA1.
+    //! - Table 34-6 p.84: CMSG0DATA0 and CMSG0DATA1.
+    //! - Table 34-5 p.80: CMSGSID, CMSGEID, CMSGDATA0 and CMSGDATA1.
     //!
     //! Taken: The names without a number. Both tables of the full messages use them; the number is that of the message in the FIFO.
     //!
@@ -278,7 +276,7 @@ pub mod manual_notes {
     //!
     //! About [`RXF`](crate::registers::Rxf), [`RXM.MIDE`](crate::registers::Rxm::mide), [`RXF.EXID`](crate::registers::Rxf::exid).
     //!
-    //! - §34.8.2: SID\<11:0\>; CiRXFn is called the mask; with MIDE = 0 "this type of message" is ignored.
+    //! - §34.8.2 p.75: SID\<11:0\>; CiRXFn is called the mask; with MIDE = 0 "this type of message" is ignored.
     //! - Register 34-18 p.43: SID\<10:0\> in the filter register CiRXFn.
     //! - Table 34-3: With MIDE = 0 messages of both types are accepted.
     //!
@@ -302,8 +300,8 @@ pub mod manual_notes {
     //! About [`INT.TBIF`](crate::registers::Int::tbif), [`INT.RBIF`](crate::registers::Int::rbif), [`INT.RBOVIF`](crate::registers::Int::rbovif).
     //!
     //! - Register 34-3 p.18: R/W.
-    //! - §34.12.1.7: RBOVIF is not directly clearable.
-    //! - §34.12.1.10: TBIF cannot be cleared by the application; 34.12.1.11 says the same of RBIF.
+    //! - §34.12.1.7 p.96: RBOVIF is not directly clearable.
+    //! - §34.12.1.10 p.96: TBIF cannot be cleared by the application; 34.12.1.11 says the same of RBIF.
     //!
     //! Taken: Read-only. The text is explicit and tells how the flags go away.
     //!
@@ -313,8 +311,8 @@ pub mod manual_notes {
     //!
     //! About [`INT.SERRIF`](crate::registers::Int::serrif).
     //!
-    //! - Register 34-3 p.18: Drawn R/W, but it can only be cleared by turning the module off and on.
-    //! - §34.12.1.4: Clearing the bit does not end the error condition, which reads as if the bit could be cleared.
+    //! - Register 34-3 p.18: Drawn R/W, but only switching the module off and on clears it.
+    //! - §34.12.1.4 p.95: Clearing the bit does not end the error condition, which reads as if the bit could be cleared.
     //!
     //! Taken: Read-only; cleared when ON is cleared. The note on the register page is the explicit one, and a cleared flag would not restart the module anyway.
     //!
@@ -369,7 +367,7 @@ pub mod manual_notes {
     //! About [`RXM`](crate::registers::Rxm).
     //!
     //! - Register 34-9 p.26: Only in Configuration mode.
-    //! - §34.8.3: Not while a filter that uses the mask is enabled; a note repeats the Configuration mode.
+    //! - §34.8.3 p.75: Not while a filter that uses the mask is enabled; a note repeats the Configuration mode.
     //!
     //! Taken: Both. The section itself names both.
     //!
@@ -383,6 +381,28 @@ pub mod manual_notes {
     //! - Register 34-22 p.50: Byte alignment.
     //!
     //! Taken: Alignment to 32-bit words. Bits 1:0 of both registers read 0.
+    //!
+    //! ## `bus_error_flag`
+    //!
+    //! Whether every error on the bus sets the flag.
+    //!
+    //! About [`INT.CERRIF`](crate::registers::Int::cerrif).
+    //!
+    //! - Register 34-3 p.19: A CAN bus error has occurred.
+    //! - §34.12.1.3 p.95: First an error on the bus, then every change of the error state, once for each threshold crossed.
+    //!
+    //! Taken: Only changes of the error state set it; single errors show in IVRIF. The section explains it with an example, in which a rising counter sets the flag only at its thresholds.
+    //!
+    //! ## `invalid_message_direction`
+    //!
+    //! Whether the invalid message interrupt concerns transmission too.
+    //!
+    //! About [`INT.IVRIF`](crate::registers::Int::ivrif), [`INT.IVRIE`](crate::registers::Int::ivrie).
+    //!
+    //! - Register 34-3 p.19: Invalid message received interrupt.
+    //! - §34.12.1.1 p.95: An error in the last message sent or received.
+    //!
+    //! Taken: Both directions. The name is only a title; the section says what happens.
     //!
     //! ## `icod_reserved_range`
     //!
@@ -412,7 +432,7 @@ pub mod manual_notes {
     //! About [`CON.DNCNT`](crate::registers::Con::dncnt).
     //!
     //! - Table 34-4 p.79: Invalid selection.
-    //! - §34.8.7.2: The comparison ends with the 18th bit.
+    //! - §34.8.7.2 p.79: The comparison ends with the 18th bit.
     //!
     //! Taken: Reserved values with the effect of 18. Register page and special case agree on the effect.
     //!
@@ -422,8 +442,8 @@ pub mod manual_notes {
     //!
     //! About [`CON.DNCNT`](crate::registers::Con::dncnt), [`RXF.EID`](crate::registers::Rxf::eid).
     //!
-    //! - Register 34-1 p.15: Data byte 0 bit 7 with EID0, up to data byte 2 bit 6 with EID17.
-    //! - Table 34-4 p.79: Data byte 0 bit 7 with EID17, up to data byte 2 bit 6 with EID0.
+    //! - Register 34-1 p.15: From bit 7 of data byte 0 with EID0 to bit 6 of data byte 2 with EID17.
+    //! - Table 34-4 p.79: From bit 7 of data byte 0 with EID17 to bit 6 of data byte 2 with EID0.
     //! - §34.8.7.1 p.79: Three bits are compared with EID\<0:2\>.
     //!
     //! Taken: The order of the table, first data bit with EID17; see choice devicenet\_eid\_order. The table is the only complete list. The manual alone does not settle the question.
@@ -477,7 +497,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.FRESET`](crate::registers::FifoCon::freset), [`FIFOCON.TXREQ`](crate::registers::FifoCon::txreq).
     //!
-    //! - §34.6.4: Resets head, tail, interrupt flags and three status bits, and asks for no pending transmission.
+    //! - §34.6.4 p.61: Resets head, tail, interrupt flags and three status bits, and asks for no pending transmission.
     //! - §34.7.4: FRESET erases all pending messages.
     //!
     //! Taken: TXREQ is not among what a reset clears; see choice txreq\_after\_fifo\_reset. The list in 34.6.4 is the explicit one, and with no transmission pending the question does not arise.
@@ -520,7 +540,7 @@ pub mod manual_notes {
     //! About [`CFG.SJW`](crate::registers::Cfg::sjw), [`CFG.SEG2PH`](crate::registers::Cfg::seg2ph).
     //!
     //! - Register 34-2 p.17: SJW may equal SEG2PH, as in 34.10.3.
-    //! - §34.10.4.3: Phase segment 2 is greater than the jump width.
+    //! - §34.10.4.3 p.90: Phase segment 2 is greater than the jump width.
     //!
     //! Taken: Equality is allowed; a tool may warn about it. The register page has it so, and so has CAN.
     //!
@@ -531,7 +551,7 @@ pub mod manual_notes {
     //! About [`CFG.SEG2PH`](crate::registers::Cfg::seg2ph), [`CFG.SEG1PH`](crate::registers::Cfg::seg1ph), [`CFG.PRSEG`](crate::registers::Cfg::prseg).
     //!
     //! - Register 34-2 p.17: Not longer than phase segment 1.
-    //! - §34.10.4.3: Not longer than propagation segment and phase segment 1 together.
+    //! - §34.10.4.3 p.90: Not longer than propagation segment and phase segment 1 together.
     //!
     //! Taken: Not longer than phase segment 1. It is the stricter one and includes the other.
     //!
@@ -541,8 +561,8 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.FSIZE`](crate::registers::FifoCon::fsize), [`FIFOBA`](crate::registers::FifoBa).
     //!
-    //! - Figure 34-9: The four buffers of FIFO3 follow those of FIFO1 at 0x1050, 36 words in all.
-    //! - §34.6.1: A FIFO that is not configured takes up four words if a higher one is used.
+    //! - Figure 34-9 p.56: The four buffers of FIFO3 follow those of FIFO1 at 0x1050, 36 words in all.
+    //! - §34.6.1 p.56: A FIFO that is not configured takes up four words if a higher one is used.
     //!
     //! Taken: What the figure calls FIFO3 is FIFO2. The rule is explained at length. FIFO3 proper would begin at 0x1060 and the sum be 40 words.
     //!
@@ -552,7 +572,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.FSIZE`](crate::registers::FifoCon::fsize).
     //!
-    //! - Example 34-10: Four message buffers, FSIZE = 4, and 140 words for all FIFOs.
+    //! - Example 34-10 p.70: Four message buffers, FSIZE = 4, and 140 words for all FIFOs.
     //! - Register 34-20 p.45: FSIZE is one less than the depth.
     //!
     //! Taken: Four buffers are FSIZE = 3. 140 words are right for four buffers; with five the last FIFO would lie outside.
@@ -564,7 +584,7 @@ pub mod manual_notes {
     //! About [`FIFOCON`](crate::registers::FifoCon).
     //!
     //! - §34.7.2: FIFO1 with a length of 3.
-    //! - Example 34-8: Comments with FIFO0 and a size of 4 and of 3; code that sets up FIFO0 with FSIZE = 2 and then loads and starts FIFO1.
+    //! - Example 34-8 p.67: Comments with FIFO0 and a size of 4 and of 3; code that sets up FIFO0 with FSIZE = 2 and then loads and starts FIFO1.
     //!
     //! Taken: FIFO0 with four buffers, FSIZE = 3, in all places. Four messages are sent and 16 words allocated. As printed nothing is sent, because FIFO1 is a receive FIFO.
     //!
@@ -574,7 +594,7 @@ pub mod manual_notes {
     //!
     //! About [`TX_BUFFER.CMSGEID`](crate::messages::TxBufferCmsgeid).
     //!
-    //! - Example 34-8: The extended identifier is stored in CMSGEID.SID, and SRR is not set.
+    //! - Example 34-8 p.67: The extended identifier is stored in CMSGEID.SID, and SRR is not set.
     //! - Figure 34-12 p.63: CMSGEID has the field EID, and SRR is 1 in an extended message.
     //!
     //! Taken: EID, with SRR = 1. So the layout.
@@ -585,7 +605,7 @@ pub mod manual_notes {
     //!
     //! About [`RXM.SID`](crate::registers::Rxm::sid).
     //!
-    //! - Example 34-10: Mask 0x1FF for identifier 0x100.
+    //! - Example 34-10 p.70: Mask 0x1FF for identifier 0x100.
     //!
     //! Taken: 0x7FF for an exact match. SID has 11 bits; 0x1FF also accepts 0x300, 0x500 and 0x700.
     //!
@@ -595,7 +615,7 @@ pub mod manual_notes {
     //!
     //! About [`RXF`](crate::registers::Rxf).
     //!
-    //! - Example 34-12: The comment has SID 0x53 and standard messages only; the code has SID 0x100 and EXID = 1.
+    //! - Example 34-12 p.78: The comment has SID 0x53 and standard messages only; the code has SID 0x100 and EXID = 1.
     //!
     //! Taken: An extended filter; the SID is whatever is wanted. The example is about an extended identifier.
     //!
@@ -605,7 +625,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.TXREQ`](crate::registers::FifoCon::txreq).
     //!
-    //! - Example 34-9: Only UINC is set, through a register name with a blank in it.
+    //! - Example 34-9 p.69: Only UINC is set, through a register name with a blank in it.
     //! - §34.7.2: Transmission starts when TXREQ is set.
     //!
     //! Taken: TXREQ has to be set after UINC. So the section on transmission.
@@ -616,8 +636,8 @@ pub mod manual_notes {
     //!
     //! About [`CON.REQOP`](crate::registers::Con::reqop), [`CON.OPMOD`](crate::registers::Con::opmod).
     //!
-    //! - Example 34-2: REQOP = 100, then wait while OPMOD is not 100.
-    //! - Example 34-1: The value 4.
+    //! - Example 34-2 p.58: REQOP = 100, then wait while OPMOD is not 100.
+    //! - Example 34-1 p.52: The value 4.
     //!
     //! Taken: 4. 100 is the binary code. In decimal the wait never ends, because OPMOD has three bits.
     //!
@@ -627,7 +647,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.UINC`](crate::registers::FifoCon::uinc).
     //!
-    //! - Example 34-4: FIFO1 is read, and UINC is set in C1FIFOCON0.
+    //! - Example 34-4 p.60: FIFO1 is read, and UINC is set in C1FIFOCON0.
     //!
     //! Taken: UINC of FIFO1. Otherwise the loop reads the same message for ever.
     //!
@@ -637,7 +657,7 @@ pub mod manual_notes {
     //!
     //! About [`RX_BUFFER`](crate::messages::RxBuffer).
     //!
-    //! - Example 34-15: Assigns the words of a local message, accessed as a pointer, to the buffer in the FIFO.
+    //! - Example 34-15 p.85: Assigns the words of a local message, accessed as a pointer, to the buffer in the FIFO.
     //!
     //! Taken: The words of the buffer are copied to the local message. The example is meant to copy a received message.
     //!
@@ -647,8 +667,8 @@ pub mod manual_notes {
     //!
     //! About [`CFG.BRP`](crate::registers::Cfg::brp).
     //!
-    //! - Example 34-16: 1 Mbit/s with 10 quanta is 20 MHz, and with 80 MHz BRP is 3.
-    //! - Equation 34-1: The frequency is the number of quanta times the bit rate.
+    //! - Example 34-16 p.90: 1 Mbit/s with 10 quanta is 20 MHz, and with 80 MHz BRP is 3.
+    //! - Equation 34-1 p.89: The frequency is the number of quanta times the bit rate.
     //!
     //! Taken: 10 MHz. Only that gives the printed BRP of 3.
     //!
@@ -658,7 +678,7 @@ pub mod manual_notes {
     //!
     //! About [`CFG.SJW`](crate::registers::Cfg::sjw).
     //!
-    //! - Example 34-17: SJW = 2, with the comment 2 quanta.
+    //! - Example 34-17 p.90: SJW = 2, with the comment 2 quanta.
     //! - Register 34-2 p.17: 2 means 3 quanta.
     //!
     //! Taken: Two quanta are SJW = 1. The register page lists all four values.
@@ -669,7 +689,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.TXEN`](crate::registers::FifoCon::txen), [`FIFOCON.FSIZE`](crate::registers::FifoCon::fsize).
     //!
-    //! - Figure 34-16 p.71: Receive FIFO0 with TXEN = 1, SIZE for FSIZE, and FIFO4 at 0x1C0 right behind FIFO2.
+    //! - Figure 34-16 p.71: Receive FIFO0 with TXEN = 1, SIZE for FSIZE (as also in Figure 34-10), and FIFO4 at 0x1C0 right behind FIFO2.
     //! - §34.7.6 p.71: FIFO0 receives and FIFO2 to FIFO31 have their default size.
     //!
     //! Taken: TXEN = 0, FSIZE, and FIFO3. The text describes the configuration, and the addresses fit it.
@@ -690,7 +710,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOUA`](crate::registers::FifoUa).
     //!
-    //! - §34.9.3: 0x0000110.
+    //! - §34.9.3 p.86: 0x0000110.
     //!
     //! Taken: 0x00000110. It is the next buffer after 0x00000100.
     //!
@@ -700,8 +720,8 @@ pub mod manual_notes {
     //!
     //! About [`FIFOUA`](crate::registers::FifoUa), [`FIFOCON.UINC`](crate::registers::FifoCon::uinc).
     //!
-    //! - §34.6.2: Steps 2 and 3 are repeated for further messages, without reading the address and storing a message.
-    //! - §34.6.3: Steps 1 and 2 are repeated, without setting UINC.
+    //! - §34.6.2 p.59: Steps 2 and 3 are repeated for further messages, without reading the address and storing a message.
+    //! - §34.6.3 p.60: Steps 1 and 2 are repeated, without setting UINC.
     //!
     //! Taken: Every message needs the address, the message and UINC. The sections describe it so, and the examples do it.
     //!
@@ -712,7 +732,7 @@ pub mod manual_notes {
     //! About [`CON.ON`](crate::registers::Con::on).
     //!
     //! - §34.4 p.52: The module is held in reset until ON is set.
-    //! - §34.6.1: Six steps from Configuration to Normal mode without ON.
+    //! - §34.6.1 p.57: Six steps from Configuration to Normal mode without ON.
     //!
     //! Taken: ON has to be set. Without it nothing works.
     //!
@@ -728,10 +748,10 @@ pub mod manual_notes {
     //!
     //! Several references lead to the wrong place.
     //!
-    //! - §34.7.2: Table 34-15, which is Figure 34-15.
-    //! - §34.6.1: Example 34-10, which is Figure 34-10; in Example 34-2 it is Figure 34-5.
+    //! - §34.7.2 p.65: Table 34-15, which is Figure 34-15.
+    //! - §34.6.1 p.57: Example 34-10, which is Figure 34-10; in Example 34-2 it is Figure 34-5.
     //! - §34.7.5: 34.7.2 as the place of remote requests, which are described in 34.2.3.
-    //! - Example 34-17: Example 34-11, which is Example 34-16.
+    //! - Example 34-17 p.90: Example 34-11, which is Example 34-16.
     //! - Table 34-2 p.62: Table 3-12 in the head of Table 34-2.
     //!
     //! Taken: The places meant. The contents show them.
@@ -804,7 +824,7 @@ pub mod manual_notes {
     //!
     //! About [`CON.OPMOD`](crate::registers::Con::opmod).
     //!
-    //! Nearest words: Even messages that the module transmits and receives itself are time stamped; Loopback mode is for receiving one's own message.
+    //! Nearest words: The module's own messages are time stamped too when it receives them; Loopback mode is for receiving one's own message.
     //!
     //! Choice: Only in Loopback mode.
     //!
@@ -870,7 +890,7 @@ pub mod manual_notes {
     //!
     //! About [`FIFOCON.TXLARB`](crate::registers::FifoCon::txlarb), [`FIFOCON.TXERR`](crate::registers::FifoCon::txerr).
     //!
-    //! Nearest words: They are reset on any read of this register.
+    //! Nearest words: Any read of CiFIFOCONn clears the two bits.
     //!
     //! Choice: No.
     //!
@@ -1146,6 +1166,18 @@ pub mod manual_notes {
     //!
     //! Alternatives: All compared data bits must match whatever the mask says.
     //!
+    //! ## `message_with_error`
+    //!
+    //! What do the time stamp and the fields behind the error hold in a message stored with an error in Listen All Messages mode?
+    //!
+    //! About [`RX_BUFFER`](crate::messages::RxBuffer), [`RX_DATA_BUFFER`](crate::messages::RxDataBuffer), [`CON.OPMOD`](crate::registers::Con::opmod).
+    //!
+    //! Nearest words: The buffer contains the data received up to the error; the time stamp is taken after the end of frame of a valid message.
+    //!
+    //! Choice: What was not received is 0, and the time stamp is the time of the error. IVRIF is set as in other modes.
+    //!
+    //! Alternatives: The memory keeps what it held. Nothing is stored if the error occurs before the identifier is complete.
+    //!
     //! ## `time_stamp_without_capture`
     //!
     //! What do CMSGTS with CANCAP = 0, and the data bytes beyond the length in a full message, hold?
@@ -1236,13 +1268,21 @@ pub mod manual_notes {
     //!
     //! About [`CFG.SAM`](crate::registers::Cfg::sam).
     //!
-    //! Nearest words: The bus is sampled three times at the sample point.
+    //! Nearest words: Three samples are taken at the sample point, and the majority counts.
     //!
     //! Choice: One and two time quanta before the sample point.
     //!
     //! Alternatives: Half a quantum and one quantum before the sample point.
 }
+#[rustfmt::skip]
+pub mod messages;
+#[cfg(feature = "meta")]
+#[rustfmt::skip]
+pub mod meta;
+#[rustfmt::skip]
 mod peripheral;
+#[rustfmt::skip]
 pub mod registers;
+#[rustfmt::skip]
 pub use peripheral::{Pic32Can, Fifo};
 pub use regbus::{Bus, Mmio, Reg};

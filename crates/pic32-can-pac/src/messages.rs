@@ -329,7 +329,7 @@ impl<B: Bus> TxBuffer<B> {
 ///
 /// The word has this layout if `FIFOCON.TXEN == receive && FIFOCON.DONLY == full_message`.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5; §34.9 p.80; Example 34-13
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct RxBufferCmsgsid(u32);
@@ -412,7 +412,7 @@ impl<B: Bus> regbus::Modify<B> for RxBufferCmsgsid {
 ///
 /// The word has this layout if `FIFOCON.TXEN == receive && FIFOCON.DONLY == full_message`.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5; §34.9 p.80; Example 34-13
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct RxBufferCmsgeid(u32);
@@ -562,7 +562,7 @@ impl<B: Bus> regbus::Modify<B> for RxBufferCmsgeid {
 /// | 0x4 | [`CMSGEID`](RxBufferCmsgeid) | `FIFOCON.TXEN == receive && FIFOCON.DONLY == full_message` |
 /// | 0x8 | data, 8 bytes | |
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5; §34.9 p.80; Example 34-13
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-5 p.80; §34.9 p.80; Example 34-13 p.83
 #[derive(Clone, Copy, Debug)]
 pub struct RxBuffer<B: Bus = Mmio> {
     bus: B,
@@ -672,7 +672,7 @@ impl<B: Bus> RxBuffer<B> {
 /// |---|---|---|
 /// | 0x0 | data, 8 bytes | |
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-6; §34.9.1
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Table 34-6 p.84; §34.9.1 p.84
 #[derive(Clone, Copy, Debug)]
 pub struct RxDataBuffer<B: Bus = Mmio> {
     bus: B,

@@ -119,7 +119,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: true,
             fields: crate::registers::FSTAT_FIELDS,
-            source: "Register 34-6 p.23; §34.12.4; Table 34-1 p.11 (offset)",
+            source: "Register 34-6 p.23; §34.12.4 p.97; Table 34-1 p.11 (offset)",
         },
         RegisterInfo {
             name: "RXOVF",
@@ -134,7 +134,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: true,
             fields: crate::registers::RXOVF_FIELDS,
-            source: "Register 34-7 p.24; §34.12.5; Table 34-1 p.11 (offset)",
+            source: "Register 34-7 p.24; §34.12.5 p.97; Table 34-1 p.11 (offset)",
         },
         RegisterInfo {
             name: "TMR",
@@ -168,7 +168,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: true,
             fields: crate::registers::RXM_FIELDS,
-            source: "Register 34-9 p.26; §34.8.3; Table 34-1 p.11 (offset)",
+            source: "Register 34-9 p.26; §34.8.3 p.75; Table 34-1 p.11 (offset)",
         },
         RegisterInfo {
             name: "FLTCON",
@@ -259,7 +259,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0x0000_0000,
             aliased: true,
             fields: crate::registers::FIFO_INT_FIELDS,
-            source: "Register 34-21 p.47; §34.12.2; Table 34-1 p.13 (offset)",
+            source: "Register 34-21 p.47; §34.12.2 p.96; Table 34-1 p.13 (offset)",
         },
         RegisterInfo {
             name: "FIFOUA",
@@ -278,7 +278,7 @@ pub static CONTROLLER: Controller = Controller {
             reset_unknown: 0xffff_fffc,
             aliased: true,
             fields: crate::registers::FIFO_UA_FIELDS,
-            source: "Register 34-22 p.50; Table 34-1 p.13 (offset)",
+            source: "Register 34-22 p.50; §34.6.2 p.59; §34.6.3 p.60; Table 34-1 p.13 (offset)",
         },
         RegisterInfo {
             name: "FIFOCI",
@@ -818,7 +818,7 @@ pub static CONTROLLER: Controller = Controller {
             select: None,
             lines: &[],
             feeds: &[],
-            code: None,
+            code: Some((0, 31)),
         },
         InterruptSource {
             name: "tx_not_full",

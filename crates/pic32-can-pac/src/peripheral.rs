@@ -192,7 +192,7 @@ impl<B: Bus> Pic32Can<B> {
 ///
 /// Control, interrupts, user address and module index of one of the 32 message FIFOs. After reset every FIFO is a receive FIFO of one full message.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, §34.3.4; Table 34-1 p.12 (offset); Table 34-1 p.13 (stride); external: device\_addresses (stride)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, §34.3.4 p.10; Table 34-1 p.12 (offset); Table 34-1 p.13 (stride); external: device\_addresses (stride)
 #[derive(Clone, Copy, Debug)]
 pub struct Fifo<B: Bus = Mmio> {
     bus: B,

@@ -215,7 +215,7 @@ impl regbus::AliasInvert for Con {
 /// | 13:11 | `SEG1PH` | `rw:configuration` | 0x0 | 3 bits, in tq |
 /// | 10:8 | `PRSEG` | `rw:configuration` | 0x0 | 3 bits, in tq |
 /// | 7:6 | `SJW` | `rw:configuration` | 0x0 | 2 bits, in tq |
-/// | 5:0 | `BRP` | `rw:configuration` | 0x0 | 6 bits |
+/// | 5:0 | `BRP` | `rw:configuration` | 0x0 | 6 bits, in FSYS / 2 periods |
 ///
 /// The manual contradicts itself (`cantspre_brp_cfg_names`): Three names are misspelled in the text. Taken: CANTSPRE, BRP and CiCFG. Because: So on the register pages.
 ///
@@ -233,7 +233,7 @@ pub(crate) const CFG_FIELDS: &[Field] = &[
     Field::new("SEG1PH", 11, 3, Access::Rw).encoding(1, 1, false, "tq").when(0),
     Field::new("PRSEG", 8, 3, Access::Rw).encoding(1, 1, false, "tq").when(0),
     Field::new("SJW", 6, 2, Access::Rw).encoding(1, 1, false, "tq").when(0),
-    Field::new("BRP", 0, 6, Access::Rw).encoding(1, 1, false, "").when(0),
+    Field::new("BRP", 0, 6, Access::Rw).encoding(1, 1, false, "FSYS / 2 periods").when(0),
 ];
 regbus::register!(Cfg, u32, "CFG", 0x0000_0000, CFG_FIELDS);
 impl Cfg {
@@ -401,7 +401,7 @@ impl Cfg {
     }
     /// `BRP` (bits 5:0, `rw:configuration`): Baud rate prescaler. A time quantum lasts 2 \* (BRP + 1) periods of the system clock FSYS.
     ///
-    /// A write has an effect only if configuration (CON.OPMOD == configuration). Means value + 1.
+    /// A write has an effect only if configuration (CON.OPMOD == configuration). Means value + 1 FSYS / 2 periods.
     ///
     /// The manual contradicts itself (`cantspre_brp_cfg_names`): Three names are misspelled in the text. Taken: CANTSPRE, BRP and CiCFG. Because: So on the register pages.
     ///
@@ -510,6 +510,8 @@ pub(crate) const INT_FIELDS: &[Field] = &[
 regbus::register!(Int, u32, "INT", 0x0000_0000, INT_FIELDS);
 impl Int {
     /// `IVRIE` (bit 31, `rw`): Enables the invalid message interrupt.
+    ///
+    /// The manual contradicts itself (`invalid_message_direction`): Whether the invalid message interrupt concerns transmission too. Taken: Both directions. Because: The name is only a title; the section says what happens.
     #[inline(always)]
     #[must_use]
     pub const fn ivrie(self) -> bool {
@@ -638,6 +640,8 @@ impl Int {
     /// `IVRIF` (bit 15, `w0c`): An error occurred in the last message sent or received; which one is not recorded.
     ///
     /// A flag: writing 0 clears it, writing 1 does nothing.
+    ///
+    /// The manual contradicts itself (`invalid_message_direction`): Whether the invalid message interrupt concerns transmission too. Taken: Both directions. Because: The name is only a title; the section says what happens.
     #[inline(always)]
     #[must_use]
     pub const fn ivrif(self) -> bool {
@@ -658,6 +662,8 @@ impl Int {
     /// `CERRIF` (bit 13, `w0c`): An error counter crossed a threshold of CiTREC (warning, passive, bus off). Set once for each crossing; after clearing it stays 0 while the counter stays above the threshold.
     ///
     /// A flag: writing 0 clears it, writing 1 does nothing.
+    ///
+    /// The manual contradicts itself (`bus_error_flag`): Whether every error on the bus sets the flag. Taken: Only changes of the error state set it; single errors show in IVRIF. Because: The section explains it with an example, in which a rising counter sets the flag only at its thresholds.
     #[inline(always)]
     #[must_use]
     pub const fn cerrif(self) -> bool {
@@ -772,7 +778,7 @@ pub(crate) const VEC_FIELDS: &[Field] = &[
 ];
 regbus::register!(Vec, u32, "VEC", 0x0000_0040, VEC_FIELDS);
 impl Vec {
-    /// `FILHIT` (bits 12:8, `ro`): Filter that last matched a received message. It keeps no history and changes only when a message is received.
+    /// `FILHIT` (bits 12:8, `ro`): Filter that matched the latest received message. The next reception overwrites it; clearing interrupts does not.
     #[inline(always)]
     #[must_use]
     pub const fn filhit(self) -> crate::enums::VecFilhit {
@@ -924,7 +930,7 @@ impl<B: regbus::Bus + crate::guards::TrecHasNoModify> regbus::Modify<B> for Trec
 /// |---|---|---|---|---|
 /// | 32 × 0 | `FIFOIP` | `ro` | 0x0 | bool |
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-6 p.23; §34.12.4; Table 34-1 p.11 (offset)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-6 p.23; §34.12.4 p.97; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Fstat(u32);
@@ -985,7 +991,7 @@ impl<B: regbus::Bus + crate::guards::FstatHasNoModify> regbus::Modify<B> for Fst
 /// |---|---|---|---|---|
 /// | 32 × 0 | `RXOVF` | `ro` | 0x0 | bool |
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-7 p.24; §34.12.5; Table 34-1 p.11 (offset)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-7 p.24; §34.12.5 p.97; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Rxovf(u32);
@@ -1135,7 +1141,7 @@ impl regbus::AliasInvert for Tmr {
 ///
 /// The manual contradicts itself (`mask_write_lock`): Two rules for changing masks. Taken: Both. Because: The section itself names both.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-9 p.26; §34.8.3; Table 34-1 p.11 (offset)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-9 p.26; §34.8.3 p.75; Table 34-1 p.11 (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct Rxm(u32);
@@ -1626,15 +1632,6 @@ impl<B: regbus::Bus> regbus::Modify<B> for FifoBa {
     const ONES: u32 = 0x0000_0000;
     const UNSAFE: bool = true;
 }
-impl regbus::AliasClear for FifoBa {
-    const OFFSET: usize = 0x4;
-}
-impl regbus::AliasSet for FifoBa {
-    const OFFSET: usize = 0x8;
-}
-impl regbus::AliasInvert for FifoBa {
-    const OFFSET: usize = 0xc;
-}
 /// CAN FIFO Control Register.
 ///
 /// `CiFIFOCON`, 32 bits, offset `0x0` of each `FIFO`, reset `0x00000000`.
@@ -1825,7 +1822,7 @@ impl FifoCon {
     }
     /// `TXLARB` (bit 5, `ro+rc`): The message lost arbitration while it was being sent. Cleared by any read of this register and by a reset of the FIFO.
     pub const TXLARB: Self = Self(0x0000_0020);
-    /// `TXERR` (bit 4, `ro+rc`): A bus error occurred while the message was being sent. Cleared by any read of this register and by a reset of the FIFO.
+    /// `TXERR` (bit 4, `ro+rc`): Transmission was disturbed by a bus error. Cleared by any read of this register and by a reset of the FIFO.
     ///
     /// A read of the register clears it.
     ///
@@ -1835,7 +1832,7 @@ impl FifoCon {
     pub const fn txerr(self) -> bool {
         regbus::bits::get(self.0 as u32, 4, 1) != 0
     }
-    /// `TXERR` (bit 4, `ro+rc`): A bus error occurred while the message was being sent. Cleared by any read of this register and by a reset of the FIFO.
+    /// `TXERR` (bit 4, `ro+rc`): Transmission was disturbed by a bus error. Cleared by any read of this register and by a reset of the FIFO.
     pub const TXERR: Self = Self(0x0000_0010);
     /// `TXREQ` (bit 3, `rwhc`): Set, best after every UINC, to send all messages in the FIFO, also those added meanwhile; hardware clears it when all are sent. Writing 0 while it is 1 asks for an abort, and it stays 1 until the message is aborted or sent. Hardware sets it for a matching remote frame if RTREN is 1. Without effect on a receive FIFO.
     ///
@@ -1937,7 +1934,7 @@ impl regbus::AliasInvert for FifoCon {
 ///
 /// The manual contradicts itself (`fifo_stride`): The distance from one FIFO's registers to the next one's is not printed. Taken: One block of four registers for each FIFO, block n at 0x350 + 0x40 \* n. Because: Four registers with their aliases fill 0x40 bytes. With any smaller stride the 32 registers of one row would run into the next rows. The addresses published by the maker for one device agree.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-21 p.47; §34.12.2; Table 34-1 p.13 (offset)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-21 p.47; §34.12.2 p.96; Table 34-1 p.13 (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct FifoInt(u32);
@@ -2183,7 +2180,7 @@ impl regbus::AliasInvert for FifoInt {
 ///
 /// The manual contradicts itself (`step_lists`): The step lists for loading and reading a FIFO repeat too few steps. Taken: Every message needs the address, the message and UINC. Because: The sections describe it so, and the examples do it.
 ///
-/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-22 p.50; Table 34-1 p.13 (offset)
+/// *PIC32MX Family Reference Manual, Section 34. Controller Area Network (CAN)*, Register 34-22 p.50; §34.6.2 p.59; §34.6.3 p.60; Table 34-1 p.13 (offset)
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(transparent)]
 pub struct FifoUa(u32);
@@ -2192,7 +2189,7 @@ pub(crate) const FIFO_UA_FIELDS: &[Field] = &[
 ];
 regbus::register!(FifoUa, u32, "FIFOUA", 0x0000_0000, FIFO_UA_FIELDS);
 impl FifoUa {
-    /// `CiFIFOUA` (bits 31:0, `ro`): Byte address where the next message to send is to be stored (head of a transmit FIFO) or the next received message is to be read (tail of a receive FIFO). UINC moves it on and wraps it. Bits 1:0 always read 0.
+    /// `CiFIFOUA` (bits 31:0, `ro`): Byte address where the next message to send is to be stored (head of a transmit FIFO) or the next received message is to be read (tail of a receive FIFO). UINC moves it on by one buffer, 16 bytes or 8 in a data-only FIFO, and wraps it at the end of the FIFO. Bits 1:0 always read 0.
     ///
     /// The manual contradicts itself (`address_alignment`): Three words for the alignment of the buffers. Taken: Alignment to 32-bit words. Because: Bits 1:0 of both registers read 0.
     #[inline(always)]

@@ -42,10 +42,11 @@ pub trait Pure: Readable {}
 
 /// The register can be written with any value.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no safe `write`",
-    label = "the register is read-only, or a write of it is unsafe",
-    note = "a register that hands the hardware an address is written with `unsafe {{ reg.write_unsafe(value) }}`; its \
-            documentation says what has to hold"
+    message = "`{Self}` cannot simply be written: it is read-only, or it hands the hardware an address",
+    label = "no safe `write` for this register",
+    note = "if it hands the hardware an address, write it with `unsafe {{ reg.write_unsafe(value) }}`; its documentation says \
+            what has to hold",
+    note = "if it is read-only, there is nothing to write: what clears or changes it stands in its documentation"
 )]
 pub trait Writable: Register {}
 
@@ -70,8 +71,8 @@ pub trait Modify<B: Bus>: Register {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no flags that one store can clear",
     label = "no `clear` for this register",
-    note = "flags that share a register with stored fields are cleared through an alias register, or by a write of \
-            the whole value"
+    note = "use `modify` or `write` for stored fields; a flag beside stored fields is cleared through an alias register, or \
+            by a `write` of the whole value"
 )]
 pub trait Clear: Register {
     /// The flags.
@@ -85,7 +86,8 @@ pub trait Clear: Register {
 /// The register's requests can be made by one store that leaves everything else alone.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` holds no requests that one store can make",
-    label = "no `request` for this register"
+    label = "no `request` for this register",
+    note = "use `modify` or `write` with the request's setter"
 )]
 pub trait Request: Register {
     /// The requests.
@@ -98,7 +100,7 @@ pub trait Request: Register {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no alias register that sets bits",
     label = "no `set_bits` for this register",
-    note = "use `modify` or `write`"
+    note = "use `modify` or `write`; a register that hands the hardware an address has `write_unsafe`"
 )]
 pub trait AliasSet: Register {
     /// Byte offset of the alias from the register.
@@ -109,7 +111,7 @@ pub trait AliasSet: Register {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no alias register that clears bits",
     label = "no `clear_bits` for this register",
-    note = "use `modify`, `write`, or `clear` for flags"
+    note = "use `modify`, `write`, or `clear` for flags; a register that hands the hardware an address has `write_unsafe`"
 )]
 pub trait AliasClear: Register {
     /// Byte offset of the alias from the register.
@@ -120,7 +122,7 @@ pub trait AliasClear: Register {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no alias register that inverts bits",
     label = "no `invert_bits` for this register",
-    note = "use `modify` or `write`"
+    note = "use `modify` or `write`; a register that hands the hardware an address has `write_unsafe`"
 )]
 pub trait AliasInvert: Register {
     /// Byte offset of the alias from the register.

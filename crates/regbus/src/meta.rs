@@ -8,14 +8,14 @@ mod display;
 
 pub use controller::{
     Alias, AliasOp, Array, BitTiming, Comparison, Condition, Controller, Effect, Expr, FieldRef, Index, InterruptLine,
-    InterruptSource, Message, MessageWord, Part, Joined, Payload, RegisterInfo, Reserved, Section, TimingPhase,
+    InterruptSource, Joined, Message, MessageWord, Part, Payload, RegisterInfo, Reserved, Section, TimingPhase,
     TransmitterDelay, Window,
 };
+#[doc(hidden)]
+pub use display::debug;
 #[cfg(feature = "defmt")]
 #[doc(hidden)]
 pub use display::{format, format_name};
-#[doc(hidden)]
-pub use display::debug;
 
 /// What software may do with a field, and what a write of it means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

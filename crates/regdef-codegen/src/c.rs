@@ -25,6 +25,7 @@ use crate::text;
 use layout::Layout;
 use write::Writer;
 
+pub use microchip::BitField;
 pub use names::Names;
 
 /// What every part of the header needs.
@@ -38,7 +39,13 @@ struct Context<'m> {
     upper: String,
 }
 
-impl Context<'_> {
+impl<'m> Context<'m> {
+    fn new(model: &'m Model) -> Self {
+        let upper = model.names.ident.upper.clone();
+        let (names, layout) = (Names::new(model), Layout::new(model));
+        Self { model, names, layout, lower: upper.to_ascii_lowercase(), upper }
+    }
+
     /// The type of the register block.
     fn block(&self) -> String {
         format!("{}_regs_t", self.lower)
@@ -48,14 +55,7 @@ impl Context<'_> {
 /// The controller as a C header.
 #[must_use]
 pub fn header(model: &Model) -> String {
-    let upper = model.names.ident.upper.clone();
-    let context = Context {
-        model,
-        names: Names::new(model),
-        layout: Layout::new(model),
-        lower: upper.to_ascii_lowercase(),
-        upper,
-    };
+    let context = Context::new(model);
     let mut out = Writer::default();
     prologue(&context, &mut out);
     enums::emit(&context, &mut out);
@@ -74,13 +74,22 @@ pub fn header(model: &Model) -> String {
     out.finish()
 }
 
+/// The fields of the manufacturer's bit-field views; empty for a controller without them.
+#[must_use]
+pub fn bit_fields(model: &Model) -> Vec<BitField> {
+    microchip::bit_fields(&Context::new(model))
+}
+
 fn prologue(context: &Context<'_>, out: &mut Writer) {
     let Context { model, upper, .. } = context;
     let manual = &model.manual;
     out.comment(&[
         format!("{}: registers and message layouts.", model.title),
         text::one_line(&model.doc),
-        text::sentence(&format!("Described after {}, {}, revision {}", manual.title, manual.publisher, manual.revision)),
+        text::sentence(&format!(
+            "Described after {}, {}, revision {}",
+            manual.title, manual.publisher, manual.revision
+        )),
         "Generated from the description of the controller; changes belong there.".to_owned(),
         format!(
             "C99 or C++11. A field FIELD of a register REG has {upper}_REG_FIELD_Pos, _Msk, _Width and _Access; a \

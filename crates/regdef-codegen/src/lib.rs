@@ -1,5 +1,8 @@
 //! Emitters: a checked [`regdef::model::Model`] in, text out. No emitter reads or writes a file.
 
+pub mod c;
+pub mod html;
+pub mod language;
 pub mod rust;
 pub mod svd;
 pub mod table;

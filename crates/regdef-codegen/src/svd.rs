@@ -110,7 +110,10 @@ fn description(model: &Model) -> String {
     let mut sentences = vec![
         text::sentence(&model.title),
         text::sentence(&model.doc),
-        text::sentence(&format!("Described after {}, {}, revision {}", manual.title, manual.publisher, manual.revision)),
+        text::sentence(&format!(
+            "Described after {}, {}, revision {}",
+            manual.title, manual.publisher, manual.revision
+        )),
     ];
     if !model.messages.is_empty() {
         let names: Vec<&str> = model.messages.iter().map(|message| message.name.as_str()).collect();

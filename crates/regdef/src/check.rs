@@ -8,10 +8,10 @@ mod overlap;
 mod usage;
 mod values;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Findings;
 use crate::lower::Lowered;
 
-pub(crate) fn check(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(crate) fn check(lowered: &Lowered, findings: &mut Findings) {
     overlap::fields(lowered, findings);
     layout::registers(lowered, findings);
     identifiers::clashes(lowered, findings);

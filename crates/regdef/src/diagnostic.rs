@@ -1,9 +1,12 @@
 //! Diagnostics: what is wrong, where, and what to do about it.
 
 mod code;
+mod findings;
 mod render;
 
 pub use code::{Code, Severity};
+pub(crate) use findings::Findings;
+pub use findings::MAX_FINDINGS;
 pub use render::report;
 
 use std::ops::Range;
@@ -88,10 +91,38 @@ impl Diagnostic {
 /// "did you mean" for a name that is not among the known ones.
 #[must_use]
 pub fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    // Names that differ much in length are not alike, and the comparison takes time with the product of the lengths.
+    let allowed = |candidate: &str| 1 + candidate.len().min(name.len()) / 3;
+    let close = |candidate: &&str| candidate.len().abs_diff(name.len()) <= allowed(candidate);
+    let lower = name.to_lowercase();
     known
         .into_iter()
-        .map(|candidate| (strsim::damerau_levenshtein(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
-        .filter(|(distance, candidate)| *distance <= 1 + candidate.len().min(name.len()) / 3)
+        .filter(|candidate| name.len() <= LONGEST_NAME && close(candidate))
+        .take(MOST_NAMES)
+        .map(|candidate| (strsim::damerau_levenshtein(&lower, &candidate.to_lowercase()), candidate))
+        .filter(|(distance, candidate)| *distance <= allowed(candidate) && *distance < lower.chars().count())
         .min()
         .map(|(_, candidate)| format!("did you mean `{candidate}`?"))
+}
+
+/// Most names that one is compared with.
+const MOST_NAMES: usize = 1000;
+
+/// Longest name that is worth a suggestion.
+const LONGEST_NAME: usize = 80;
+
+#[cfg(test)]
+mod tests {
+    use super::suggestion;
+
+    #[test]
+    fn suggestions_are_near() {
+        let known = ["title", "offset", "reset", "x"];
+        assert_eq!(suggestion("titel", known).as_deref(), Some("did you mean `title`?"));
+        assert_eq!(suggestion("OFFSET", known).as_deref(), Some("did you mean `offset`?"));
+        assert_eq!(suggestion("frobnicate", known), None);
+        assert_eq!(suggestion("q", known), None, "nothing of `q` is left in `x`");
+        assert_eq!(suggestion("", known), None);
+        assert_eq!(suggestion(&"title".repeat(1000), known), None);
+    }
 }

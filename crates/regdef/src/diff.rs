@@ -49,7 +49,8 @@ pub fn diff(old: &Model, new: &Model) -> Vec<Change> {
     let mut changes = Vec::new();
     add(&mut changes, format!("controller `{}`", new.names.id), controller(old, new));
     let renamed = |r: &Register| r.name.clone();
-    let pairs = matched(&old.registers, &new.registers, renamed, |a, b| place(old, a) == place(new, b) && a.width == b.width);
+    let pairs =
+        matched(&old.registers, &new.registers, renamed, |a, b| place(old, a) == place(new, b) && a.width == b.width);
     for pair in pairs {
         match pair {
             Pair::Both(a, b) => add(&mut changes, format!("register `{}`", b.name), register(old, a, new, b)),
@@ -66,8 +67,12 @@ pub fn diff(old: &Model, new: &Model) -> Vec<Change> {
     for pair in matched(&shared(old), &shared(new), |e| e.name.clone(), |_, _| false) {
         match pair {
             Pair::Both(a, b) => add(&mut changes, format!("enumeration `{}`", b.name), values(Some(a), Some(b), "")),
-            Pair::Old(a) => add(&mut changes, format!("enumeration `{}`", a.name), vec![Line::Removed("the enumeration".into())]),
-            Pair::New(b) => add(&mut changes, format!("enumeration `{}`", b.name), vec![Line::Added("the enumeration".into())]),
+            Pair::Old(a) => {
+                add(&mut changes, format!("enumeration `{}`", a.name), vec![Line::Removed("the enumeration".into())])
+            }
+            Pair::New(b) => {
+                add(&mut changes, format!("enumeration `{}`", b.name), vec![Line::Added("the enumeration".into())])
+            }
         }
     }
     parts::messages(old, new, &mut changes);
@@ -144,7 +149,9 @@ fn none(text: String) -> String {
 }
 
 fn dim(dim: Option<&Dim>) -> String {
-    dim.map_or("single".to_owned(), |d| format!("{} elements {:#x} apart, numbered from {}", d.count, d.stride, d.first))
+    dim.map_or("single".to_owned(), |d| {
+        format!("{} elements {:#x} apart, numbered from {}", d.count, d.stride, d.first)
+    })
 }
 
 /// Where a register is, in words.
@@ -165,11 +172,13 @@ fn register(old: &Model, a: &Register, new: &Model, b: &Register) -> Vec<Line> {
     compare(&mut lines, "moved", &place(old, a), &place(new, b));
     compare(&mut lines, "array", &dim(a.dim.as_ref()), &dim(b.dim.as_ref()));
     compare(&mut lines, "width", &format!("{} bits", a.width), &format!("{} bits", b.width));
-    let window = |m: &Model, r: &Register| r.window.map_or("all windows".to_owned(), |id| format!("`{}`", m.windows[id.0].name));
+    let window =
+        |m: &Model, r: &Register| r.window.map_or("all windows".to_owned(), |id| format!("`{}`", m.windows[id.0].name));
     compare(&mut lines, "visible in", &window(old, a), &window(new, b));
     let reset = |r: &Register| {
         let digits = r.width as usize / 4 + 2;
-        let unknown = if r.reset.unknown == 0 { String::new() } else { format!(" (unknown {:#0digits$x})", r.reset.unknown) };
+        let unknown =
+            if r.reset.unknown == 0 { String::new() } else { format!(" (unknown {:#0digits$x})", r.reset.unknown) };
         format!("{:#0digits$x}{unknown}", r.reset.value)
     };
     compare(&mut lines, "reset", &reset(a), &reset(b));
@@ -182,7 +191,11 @@ fn register(old: &Model, a: &Register, new: &Model, b: &Register) -> Vec<Line> {
 }
 
 fn bits(field: &Field) -> String {
-    let range = if field.width == 1 { format!("bit {}", field.lsb) } else { format!("bits {}:{}", field.lsb + field.width - 1, field.lsb) };
+    let range = if field.width == 1 {
+        format!("bit {}", field.lsb)
+    } else {
+        format!("bits {}:{}", field.lsb + field.width - 1, field.lsb)
+    };
     match field.lanes {
         None => range,
         Some(l) => format!("{range}, {} lanes {} apart, numbered from {}", l.count, l.stride, l.first),

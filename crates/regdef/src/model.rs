@@ -19,11 +19,13 @@ pub use expr::{Comparison, Condition, Expr, LaneIndex};
 pub use memory::{Memory, Message, Payload, Section, SectionStart, Word};
 pub use names::{Ident, Names};
 pub use register::{
-    Capabilities, Cluster, Dim, Enum, EnumVariant, Field, FieldReset, Kind, Lanes, NoModify, Register, Reset, bit_mask,
-    ReservedRange, Window,
+    Capabilities, Cluster, Dim, Enum, EnumVariant, Field, FieldReset, Kind, Lanes, NoModify, Register, ReservedRange,
+    Reset, Window, bit_mask,
 };
 
-pub use crate::syntax::{AccessCode, AliasOp, Cite, Encoding, HalfOrder, Manual, OnRead, ReadEffect, ResetKind, Source};
+pub use crate::syntax::{
+    AccessCode, AliasOp, Cite, Encoding, HalfOrder, Manual, OnRead, ReadEffect, ResetKind, Source,
+};
 
 use indexmap::IndexMap;
 

@@ -19,7 +19,7 @@ impl Path {
     #[must_use]
     pub fn key(&self, key: impl AsRef<str>) -> Self {
         let escaped = key.as_ref().replace('~', "~0").replace('/', "~1");
-        Self(if self.0.is_empty() { escaped } else { format!("{}/{escaped}", self.0) })
+        Self(format!("{}/{escaped}", self.0))
     }
 
     /// The item of a list.
@@ -37,18 +37,43 @@ impl Path {
     /// The last key; empty for the root.
     #[must_use]
     pub fn last(&self) -> String {
-        self.0.rsplit('/').next().unwrap_or_default().replace("~1", "/").replace("~0", "~")
+        unescape(self.0.rsplit('/').next().unwrap_or_default())
     }
 
-    /// A path from a JSON pointer, which starts with `/` unless it is the root.
+    /// The keys from the top to the node.
+    pub fn keys(&self) -> impl Iterator<Item = String> {
+        self.0.split('/').skip(1).map(unescape)
+    }
+
+    /// A path from a JSON pointer.
     #[must_use]
     pub fn from_pointer(pointer: &str) -> Self {
-        Self(pointer.strip_prefix('/').unwrap_or(pointer).to_owned())
+        Self(pointer.to_owned())
     }
+}
+
+fn unescape(key: &str) -> String {
+    key.replace("~1", "/").replace("~0", "~")
 }
 
 impl fmt::Display for Path {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(self.0.strip_prefix('/').unwrap_or(&self.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Path;
+
+    #[test]
+    fn keys_may_hold_the_separator_and_may_be_empty() {
+        let path = Path::root().key("a/b").key("~1").key("").index(3);
+        assert_eq!(path.to_string(), "a~1b/~01//3");
+        assert_eq!(path.keys().collect::<Vec<_>>(), ["a/b", "~1", "", "3"]);
+        assert_eq!(path.parent().parent().last(), "~1");
+        assert_ne!(Path::root().key(""), Path::root());
+        assert_eq!(Path::root().key("").parent(), Path::root());
+        assert_eq!(Path::from_pointer("/a~1b/~01//3"), path);
     }
 }

@@ -124,14 +124,9 @@ fn registers() {
         "register `LIST`\n  ~ array: 4 elements 0x4 apart, numbered from 0 → 3 elements 0x4 apart, numbered from 0\n\
          reserved range `0x01c..=0x03f`\n  ~ renamed: `0x020..=0x03f` → `0x01c..=0x03f`\n"
     );
+    assert_eq!(changes(&[("  LIST:\n", "  TABLE:\n")]), "register `TABLE`\n  ~ renamed: `LIST` → `TABLE`\n");
     assert_eq!(
-        changes(&[("  LIST:\n", "  TABLE:\n")]),
-        "register `TABLE`\n  ~ renamed: `LIST` → `TABLE`\n"
-    );
-    assert_eq!(
-        changes(&[("offset: 0x04", "offset: 0x08"), ("from: 0x08, to: 0x0F", "from: 0x0C, to: 0x0F")])
-            .lines()
-            .nth(1),
+        changes(&[("offset: 0x04", "offset: 0x08"), ("from: 0x08, to: 0x0F", "from: 0x0C, to: 0x0F")]).lines().nth(1),
         Some("  ~ moved: at 0x004 → at 0x008")
     );
     assert_eq!(

@@ -3,7 +3,9 @@
 use can_frame::{Frame, Id};
 use m_can_pac::{
     enums::{ExtendedFilterType, FilterAction, NonMatching, RemoteFrames, RxBufferUse, StandardFilterType},
-    messages::{ExtendedBufferFilterF1, ExtendedFilterF0, ExtendedFilterF1, StandardBufferFilterS0, StandardFilterS0},
+    messages::{
+        ExtendedFilterF0, ExtendedFilterF1, ExtendedFilterF1RxBuffer, StandardFilterS0, StandardFilterS0RxBuffer,
+    },
     registers as pac,
 };
 
@@ -117,7 +119,7 @@ impl MCanModel {
         let element = StandardFilterS0::from_bits(word);
         let (id1, id2) = (element.sfid1(), element.sfid2());
         let action = element.sfec();
-        let buffer = StandardBufferFilterS0::from_bits(word);
+        let buffer = StandardFilterS0RxBuffer::from_bits(word);
         // SFT is ignored with SFEC = 7: the identifier equals SFID1 (2.4.5).
         let matches = if action == FilterAction::RxBuffer {
             id == id1
@@ -148,7 +150,7 @@ impl MCanModel {
         let (id1, id2) = (f0.efid1(), f1.efid2());
         let masked = id & pac::Xidam::from_bits(self.regs.get(self.r.xidam)).eidm();
         let action = f0.efec();
-        let buffer = ExtendedBufferFilterF1::from_bits(words[1]);
+        let buffer = ExtendedFilterF1RxBuffer::from_bits(words[1]);
         let matches = if action == FilterAction::RxBuffer {
             masked == id1
         } else {

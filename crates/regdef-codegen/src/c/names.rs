@@ -12,6 +12,7 @@ use regdef::model::{EnumId, FieldRef, Ident, MessageId, Model, RegisterId};
 pub struct Names {
     registers: Vec<String>,
     fields: HashMap<FieldRef, String>,
+    joined: Vec<String>,
     words: HashMap<(MessageId, usize), String>,
     word_fields: HashMap<(MessageId, usize, usize), String>,
     messages: Vec<String>,
@@ -33,9 +34,24 @@ impl Taken {
     }
 }
 
-const REGISTER_USES: &[&str] = &["_OFFSET", "_RESET", "_RESET_MASK", "_COUNT", "_STRIDE", "_FIRST"];
-const FIELD_USES: &[&str] = &["_Msk", "_SET"];
-const MESSAGE_USES: &[&str] = &["_HEADER_BYTES", "_BYTES", "_PAYLOAD_MAX"];
+/// What stands behind the name of a register; functions have the same in lower case.
+const REGISTER_USES: &[&str] = &[
+    "",
+    "_OFFSET",
+    "_RESET",
+    "_RESET_MASK",
+    "_COUNT",
+    "_STRIDE",
+    "_FIRST",
+    "_CLEAR",
+    "_REQUEST",
+    "_MODIFY",
+    "_RESTART",
+];
+const FIELD_USES: &[&str] = &["_Msk", "_GET", "_SET"];
+const JOINED_USES: &[&str] = &["_READ", "_WRITE", "_CLEAR", "_REQUEST"];
+const MESSAGE_USES: &[&str] =
+    &["_T", "_READ_PAYLOAD", "_WRITE_PAYLOAD", "_PAYLOAD_BYTES", "_HEADER_BYTES", "_BYTES", "_PAYLOAD_MAX"];
 const VARIANT_USES: &[&str] = &["", "_FIRST", "_LAST"];
 
 impl Names {
@@ -50,18 +66,26 @@ impl Names {
         let mut names = Self {
             registers: Vec::new(),
             fields: HashMap::new(),
+            joined: Vec::new(),
             words: HashMap::new(),
             word_fields: HashMap::new(),
             messages: Vec::new(),
             variants: HashMap::new(),
         };
+        let aliases: Vec<String> =
+            model.aliases.iter().map(|alias| format!("_{}", alias.name.to_ascii_uppercase())).collect();
+        let register_uses: Vec<&str> =
+            REGISTER_USES.iter().copied().chain(aliases.iter().map(String::as_str)).collect();
         for (index, register) in model.registers.iter().enumerate() {
-            let stem = taken.claim(format!("{upper}_{}", register.ident.upper), REGISTER_USES);
+            let stem = taken.claim(format!("{upper}_{}", register.ident.upper), &register_uses);
             for (field, of) in register.fields.iter().enumerate() {
                 let name = taken.claim(format!("{stem}_{}", of.ident.upper), FIELD_USES);
                 names.fields.insert(FieldRef { register: RegisterId(index), field }, name);
             }
             names.registers.push(stem);
+        }
+        for joined in &model.joined {
+            names.joined.push(taken.claim(format!("{upper}_{}", joined.ident.upper), JOINED_USES));
         }
         for (index, message) in model.messages.iter().enumerate() {
             let id = MessageId(index);
@@ -95,6 +119,12 @@ impl Names {
     #[must_use]
     pub fn field(&self, at: FieldRef) -> &str {
         &self.fields[&at]
+    }
+
+    /// `DSPIC33_CANFD_TBC`: a value joined from registers.
+    #[must_use]
+    pub fn joined(&self, index: usize) -> &str {
+        &self.joined[index]
     }
 
     /// `M_CAN_RX_BUFFER`.

@@ -42,7 +42,8 @@ impl Writer {
     }
 
     pub(super) fn indented_comment(&mut self, indent: &str, paragraphs: &[String]) {
-        let lines: Vec<String> = paragraphs.iter().flat_map(|text| wrap(&harmless(text), WRAP - indent.len())).collect();
+        let lines: Vec<String> =
+            paragraphs.iter().flat_map(|text| wrap(&harmless(text), WRAP - indent.len())).collect();
         match lines.as_slice() {
             [] => {}
             [line] => self.line(&format!("{indent}/* {line} */")),
@@ -65,6 +66,12 @@ impl Writer {
 fn harmless(text: &str) -> String {
     let text = crate::text::one_line(text).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?");
     text.chars().map(|c| if c == '\\' { '/' } else { c }).filter(|c| !c.is_control()).collect()
+}
+
+/// A comment behind a line; empty without text.
+pub(super) fn remark(text: &str) -> String {
+    let text = harmless(text);
+    if text.is_empty() { text } else { format!(" /* {text} */") }
 }
 
 fn wrap(text: &str, width: usize) -> Vec<String> {

@@ -9,14 +9,16 @@ use crate::text;
 
 pub(super) fn lib(model: &Model) -> TokenStream {
     let front = doc::inner(&front_page(model));
-    let messages = (!model.messages.is_empty()).then(|| quote!(pub mod messages;));
-    let instances = (!model.instances.is_empty()).then(|| quote!(pub mod instances;));
+    // The attribute stands in a literal of its own: rustfmt obeys it even inside a macro.
+    let skip: TokenStream = "#[rustfmt::skip]".parse().expect("an attribute is a token stream");
+    let messages = (!model.messages.is_empty()).then(|| quote!(#skip pub mod messages;));
+    let instances = (!model.instances.is_empty()).then(|| quote!(#skip pub mod instances;));
     let peripheral = ident(&model.names.ident.pascal);
     let clusters = model.clusters.iter().map(|c| ident(&c.ident.pascal));
     let resting = super::peripheral::resting_window(model);
     let windows = model.windows.iter().enumerate().filter(|(index, _)| resting.is_none_or(|id| id.0 != *index));
     let windows = windows.map(|(_, w)| ident(&format!("{}Window", w.ident.pascal)));
-    let notes = notes(model);
+    let notes = notes(model).map(|module| quote!(#skip #module));
     quote! {
         #front
         #![no_std]
@@ -25,21 +27,26 @@ pub(super) fn lib(model: &Model) -> TokenStream {
             clippy::identity_op,
             clippy::module_inception,
             clippy::unnecessary_cast,
+            rustdoc::redundant_explicit_links,
             reason = "one form of body serves all widths"
         )]
-        // Types named after registers such as `CTRL1` and constants such as `B0` follow the manual.
-        #![allow(rustdoc::redundant_explicit_links, reason = "links are explicit wherever they are generated")]
 
+        #skip
         pub mod enums;
+        #skip
         pub mod guards;
         #instances
+        #notes
         #messages
         #[cfg(feature = "meta")]
+        #skip
         pub mod meta;
-        #notes
+        #skip
         mod peripheral;
+        #skip
         pub mod registers;
 
+        #skip
         pub use peripheral::{#peripheral, #(#clusters,)* #(#windows,)*};
         pub use regbus::{Bus, Mmio, Reg};
     }
@@ -109,7 +116,11 @@ fn notes(model: &Model) -> Option<TokenStream> {
             out += &format!("About {at}.\n\n");
         }
         for reading in &conflict.says {
-            out += &format!("- {}: {}\n", doc::md(&text::cites(std::slice::from_ref(&reading.cite))), doc::sentence(&reading.says));
+            out += &format!(
+                "- {}: {}\n",
+                doc::md(&text::cites(std::slice::from_ref(&reading.cite))),
+                doc::sentence(&reading.says)
+            );
         }
         out += &format!("\nTaken: {} {}\n", doc::sentence(&conflict.taken), doc::sentence(&conflict.because));
     }
@@ -161,7 +172,8 @@ fn targets(model: &Model, at: &[Target]) -> String {
         }
         Target::Word(id, word) | Target::WordField(id, word, _) => {
             let m = &model.messages[id.0];
-            let owner = m.words[*word].same_as.map_or(&m.words[*word].ident, |(m, w)| &model.messages[m.0].words[w].ident);
+            let owner =
+                m.words[*word].same_as.map_or(&m.words[*word].ident, |(m, w)| &model.messages[m.0].words[w].ident);
             format!("[`{}.{}`](crate::messages::{})", m.name, m.words[*word].name, owner.pascal)
         }
     };

@@ -84,7 +84,8 @@ pub(super) fn details(model: &Model, field: &Field) -> Vec<String> {
     let notes = text::access_notes(model, field);
     // The first note repeats the access code that the headline has.
     let mut paragraphs = vec![notes.iter().skip(1).map(|n| md(n)).collect::<Vec<_>>().join(" ")];
-    paragraphs.push(conflicts(model, |target| matches!(target, Target::Field(at) if std::ptr::eq(model.field(*at), field))));
+    paragraphs
+        .push(conflicts(model, |target| matches!(target, Target::Field(at) if std::ptr::eq(model.field(*at), field))));
     paragraphs
 }
 

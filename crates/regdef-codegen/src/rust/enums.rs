@@ -25,7 +25,8 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
             format!("[`{0}::{1}`](crate::registers::{0}::{1})", register.ident.pascal, field.ident.snake)
         })
         .collect();
-    let headline = if entry.doc.is_empty() { format!("Values of `{}`.", entry.name) } else { doc::sentence(&entry.doc) };
+    let headline =
+        if entry.doc.is_empty() { format!("Values of `{}`.", entry.name) } else { doc::sentence(&entry.doc) };
     let reserved = if entry.reserved.is_empty() {
         String::new()
     } else {
@@ -44,7 +45,10 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
             let value = plain.then(|| quote!(= #value));
             quote!(#docs #name #value,)
         } else {
-            let docs = doc::doc(&[format!("{} to {}: {text} It holds the value itself.", variant.first, variant.last), quantity]);
+            let docs = doc::doc(&[
+                format!("{} to {}: {text} It holds the value itself.", variant.first, variant.last),
+                quantity,
+            ]);
             quote!(#docs #name(#int),)
         }
     });
@@ -101,7 +105,10 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
             if variant.first == variant.last {
                 quote!(Self::#name => #first,)
             } else {
-                let what = format!("{}::{} takes {}..={}", entry.ident.pascal, variant.ident.pascal, variant.first, variant.last);
+                let what = format!(
+                    "{}::{} takes {}..={}",
+                    entry.ident.pascal, variant.ident.pascal, variant.first, variant.last
+                );
                 quote!(Self::#name(value) => regbus::bits::within(value as u32, #first, #last, #what) as #int,)
             }
         });
@@ -128,9 +135,8 @@ fn enumeration(model: &Model, entry: &Enum) -> TokenStream {
             }
         }
     });
-    let panics = (!plain).then(|| {
-        doc::doc(&["# Panics".to_owned(), "If a variant holds a value outside its range.".to_owned()])
-    });
+    let panics = (!plain)
+        .then(|| doc::doc(&["# Panics".to_owned(), "If a variant holds a value outside its range.".to_owned()]));
     let gap = (!plain).then(|| quote!(#[doc = ""]));
     let values = meta::values(entry);
     let constant = meta::values_name(entry);

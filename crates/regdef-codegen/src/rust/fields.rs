@@ -84,7 +84,10 @@ fn lane(holder: &Holder<'_>, field: &Field) -> Lane {
     Lane {
         parameter: quote!(n: usize,),
         lsb,
-        doc: vec!["# Panics".to_owned(), format!("If `n`, the number of the lane in this register, is not in {}..={last}.", lanes.first)],
+        doc: vec![
+            "# Panics".to_owned(),
+            format!("If `n`, the number of the lane in this register, is not in {}..={last}.", lanes.first),
+        ],
     }
 }
 
@@ -122,7 +125,8 @@ fn getter(model: &Model, holder: &Holder<'_>, field: &Field) -> TokenStream {
     };
     paragraphs.extend(lane_doc);
     let docs = doc::doc(&paragraphs);
-    let must_use = (!matches!(field.kind, Kind::Enum(id) if !model.enumeration(id).is_total())).then(|| quote!(#[must_use]));
+    let must_use =
+        (!matches!(field.kind, Kind::Enum(id) if !model.enumeration(id).is_total())).then(|| quote!(#[must_use]));
     quote! {
         #docs
         #[inline(always)]
@@ -216,7 +220,9 @@ fn flag(model: &Model, holder: &Holder<'_>, field: &Field) -> Option<TokenStream
     let headline = doc::headline(model, field);
     Some(match field.lanes {
         None => {
-            let name = ident(&field.ident.upper);
+            // Every value type has constants of these names.
+            let taken = matches!(field.ident.upper.as_str(), "ZERO" | "RESET");
+            let name = ident(&if taken { format!("{}_BIT", field.ident.upper) } else { field.ident.upper.clone() });
             let mask = hex(field.mask(), holder.width);
             let docs = doc::doc(&[headline]);
             quote!(#docs pub const #name: Self = Self(#mask);)

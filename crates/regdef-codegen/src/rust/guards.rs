@@ -10,7 +10,7 @@ use super::{doc, ident, peripheral};
 pub(super) fn module(model: &Model) -> TokenStream {
     let modify = model.registers.iter().filter_map(|register| {
         let reason = register.capabilities.modify.as_ref().err()?;
-        let (message, note) = no_modify_reason(register, reason);
+        let (message, note) = no_modify_reason(model, register, reason);
         let name = ident(&format!("{}HasNoModify", register.ident.pascal));
         let docs = doc::doc(&[format!("{message}; {note}.")]);
         Some(guard(&docs, &name, &message, "no `modify` for this register", &note))
@@ -33,13 +33,19 @@ pub(super) fn module(model: &Model) -> TokenStream {
         "What registers do not allow, as traits that no bus implements.\n\nThey stand in bounds of methods that cannot be \
          called, so that the compiler's message says why, and what to do instead.",
     );
+    let guards: Vec<TokenStream> = modify.chain(windows).collect();
+    // Without a guard, nothing would use it.
+    let sealed = (!guards.is_empty()).then(|| {
+        quote!(
+            mod sealed {
+                pub trait Never {}
+            }
+        )
+    });
     quote! {
         #head
-        mod sealed {
-            pub trait Never {}
-        }
-        #(#modify)*
-        #(#windows)*
+        #sealed
+        #(#guards)*
     }
 }
 

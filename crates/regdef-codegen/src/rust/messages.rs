@@ -69,7 +69,8 @@ fn element(model: &Model, id: MessageId, message: &Message) -> TokenStream {
     let header = number(message.header_bytes);
     let sections: Vec<_> =
         model.memory.sections.iter().filter(|s| s.elements.contains(&id)).map(|s| format!("`{}`", s.name)).collect();
-    let used = if sections.is_empty() { String::new() } else { format!("Sections of memory: {}.", sections.join(", ")) };
+    let used =
+        if sections.is_empty() { String::new() } else { format!("Sections of memory: {}.", sections.join(", ")) };
     let docs = doc::doc(&[
         format!("{}.", doc::md(message.title.trim_end_matches('.'))),
         doc::sentence(&message.doc),
@@ -126,9 +127,9 @@ fn element(model: &Model, id: MessageId, message: &Message) -> TokenStream {
 fn word_table(model: &Model, message: &Message) -> String {
     let mut out = String::from("| byte | word | layout if |\n|---|---|---|");
     for word in &message.words {
-        let present = word.present_when.map_or(String::new(), |id| {
-            format!("`{}`", model.condition(id).expr.display(model).replace('|', "\\|"))
-        });
+        let present = word
+            .present_when
+            .map_or(String::new(), |id| format!("`{}`", model.condition(id).expr.display(model).replace('|', "\\|")));
         out += &format!("\n| {:#x} | [`{}`]({}) | {present} |", word.offset, word.name, type_of(model, word).pascal);
     }
     if let Some(payload) = &message.payload {

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 use regdef::model::{
-    AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, FieldReset, Joined, LaneIndex, Message, Model,
-    OnRead, Part, ReadEffect, Register, SectionStart, TimingPhase,
+    AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, FieldReset, Joined, LaneIndex,
+    Message, Model, OnRead, Part, ReadEffect, Register, SectionStart, TimingPhase,
 };
 
 use super::{doc, fields, hex, ident, number};
@@ -50,7 +50,7 @@ pub(super) fn field(model: &Model, field: &Field) -> TokenStream {
         out.extend(quote!(.lanes(#count, #stride, #first)));
     }
     if let Some(OnRead { effect, byte }) = field.access.on_read {
-        let byte = option(byte, |b| number(b));
+        let byte = option(byte, number);
         out.extend(match effect {
             ReadEffect::Clear => quote!(.on_read(ReadEffect::Clear(#byte))),
             ReadEffect::Set => quote!(.on_read(ReadEffect::Set(#byte))),
@@ -200,8 +200,7 @@ fn comparison(how: Comparison) -> TokenStream {
 }
 
 fn part<R>(part: &Part<R>, holder: usize) -> TokenStream {
-    let (holder, lsb, width, shift) =
-        (number(holder as u64), number(part.lsb), number(part.width), number(part.shift));
+    let (holder, lsb, width, shift) = (number(holder as u64), number(part.lsb), number(part.width), number(part.shift));
     quote!(Part { holder: #holder, lsb: #lsb, width: #width, shift: #shift })
 }
 
@@ -243,7 +242,7 @@ fn phase(phase: &TimingPhase) -> TokenStream {
     let (segment1, segment2) = (field_ref(phase.segment1), field_ref(phase.segment2));
     let jump_width = field_ref(phase.jump_width);
     let (min, max) = (number(phase.min_quanta), number(phase.max_quanta));
-    let rate = option(phase.max_bit_rate, |v| number(v));
+    let rate = option(phase.max_bit_rate, number);
     quote! {
         TimingPhase {
             prescaler: #prescaler, propagation: #propagation, segment1: #segment1, segment2: #segment2,
@@ -281,7 +280,7 @@ pub(super) fn module(model: &Model) -> TokenStream {
     let reserved = model.reserved.iter().map(|range| {
         let (from, to) = (hex(range.from, 16), hex(range.to, 16));
         let window = option(range.window, |id| number(id.0 as u64));
-        let reads = option(range.reads, |v| number(v));
+        let reads = option(range.reads, number);
         let sets = option(range.sets, field_ref);
         quote!(Reserved { from: #from, to: #to, window: #window, reads: #reads, sets: #sets })
     });
@@ -306,7 +305,7 @@ pub(super) fn module(model: &Model) -> TokenStream {
     });
     let lines = model.interrupts.lines.iter().map(|line| {
         let name = &line.name;
-        let (enable, select) = (option(line.enable, field_ref), option(line.select, |v| number(v)));
+        let (enable, select) = (option(line.enable, field_ref), option(line.select, number));
         quote!(InterruptLine { name: #name, enable: #enable, select: #select })
     });
     let sources = model.interrupts.sources.iter().map(|source| {
@@ -335,7 +334,7 @@ pub(super) fn module(model: &Model) -> TokenStream {
         };
         let unit = number(unit);
         let count = section.count.iter().map(|f| field_ref(*f));
-        let max = option(section.max, |v| number(v));
+        let max = option(section.max, number);
         let size = option(section.payload_size, field_ref);
         let exists = option(section.exists_when, condition_ref);
         quote! {
@@ -347,7 +346,7 @@ pub(super) fn module(model: &Model) -> TokenStream {
     });
     let bit_timing = option(model.bit_timing.as_ref(), |timing| {
         let (clock, divider) = (&timing.clock.name, number(timing.clock.divider));
-        let max = option(timing.clock.max_hz, |v| number(v));
+        let max = option(timing.clock.max_hz, number);
         let nominal = phase(&timing.nominal);
         let data = option(timing.data.as_ref(), phase);
         let delay = option(timing.transmitter_delay.as_ref(), |tdc| {

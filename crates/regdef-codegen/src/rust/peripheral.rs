@@ -140,7 +140,8 @@ fn accessor(model: &Model, register: &Register, within: Option<ClusterId>) -> To
         format!("If `n`, the manual's number of the register, is not in {numbers}."),
     ]);
     let length = ident(&format!("{}_LEN", method.upper));
-    let length_docs = doc::doc(&[format!("Number of [`{}`](Self::{name}) registers.", register.label.replace("{n}", "n"))]);
+    let length_docs =
+        doc::doc(&[format!("Number of [`{}`](Self::{name}) registers.", register.label.replace("{n}", "n"))]);
     let iter = ident(&format!("{}_iter", method.snake));
     let iter_docs = doc::doc(&[format!("All [`{name}`](Self::{name}) registers with their numbers.")]);
     let end = number(dim.first + dim.count);
@@ -292,9 +293,8 @@ fn window_method(model: &Model, id: WindowId) -> TokenStream {
         ),
         doc::source(model, &window.cites),
     ]);
-    let token_docs = doc::doc(&[format!(
-        "The same as [`{name}`](Self::{name}) with the proof that no interrupt can come between."
-    )]);
+    let token_docs =
+        doc::doc(&[format!("The same as [`{name}`](Self::{name}) with the proof that no interrupt can come between.")]);
     quote! {
         #docs
         #[inline]
@@ -336,8 +336,7 @@ fn window_type(model: &Model, id: WindowId) -> TokenStream {
         })
         .collect();
     let inside = |j: &&Joined| {
-        j.cluster.is_none()
-            && j.parts.iter().all(|p| model.register(p.holder).window.is_none_or(|w| w == id))
+        j.cluster.is_none() && j.parts.iter().all(|p| model.register(p.holder).window.is_none_or(|w| w == id))
     };
     let values = model.joined.iter().filter(inside).map(|j| joined::accessors(model, j));
     quote! {

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use regdef::model::{Field, Model, Neutral, NoModify, Register, RegisterId, Target};
+use regdef::model::{Field, Model, Neutral, NoModify, Register, RegisterId, Target, WriteEffect};
 
 use super::{doc, fields, hex, ident, literal};
 use crate::text;
@@ -58,9 +58,10 @@ fn paragraphs(model: &Model, id: RegisterId, register: &Register) -> Vec<String>
         register.label.replace("{n}", "n"),
         register.reset.value
     );
-    let mut paragraphs = vec![format!("{}.", doc::md(register.title.trim_end_matches('.'))), facts, doc::sentence(&register.doc)];
+    let mut paragraphs =
+        vec![format!("{}.", doc::md(register.title.trim_end_matches('.'))), facts, doc::sentence(&register.doc)];
     paragraphs.extend(text::register_notes(model, register).iter().map(|note| doc::md(note)));
-    paragraphs.push(modify_note(register));
+    paragraphs.push(modify_note(model, register));
     if let Some(reason) = &register.unsafe_write {
         paragraphs.push("# Safety of writes".to_owned());
         paragraphs.push(doc::sentence(reason));
@@ -75,25 +76,31 @@ fn paragraphs(model: &Model, id: RegisterId, register: &Register) -> Vec<String>
 }
 
 /// Why there is no `modify`, in words.
-pub(super) fn no_modify_reason(register: &Register, reason: &NoModify) -> (String, String) {
+pub(super) fn no_modify_reason(model: &Model, register: &Register, reason: &NoModify) -> (String, String) {
     let name = &register.ident.pascal;
     let caps = &register.capabilities;
     let list = |names: &[String]| match names {
         [] => "its fields".to_owned(),
         [one] => one.clone(),
         [a, b] => format!("{a} and {b}"),
+        [a, b, c] => format!("{a}, {b} and {c}"),
         [a, b, rest @ ..] => format!("{a}, {b} and {} more", rest.len()),
     };
     let clear = can_clear(register);
     match reason {
         NoModify::NotReadWrite => {
             let what = if caps.readable { "read-only" } else { "write-only" };
-            (format!("`{name}` cannot be read-modified-written: it is {what}"), format!("use `{}`", if caps.readable { "read" } else { "write" }))
+            (
+                format!("`{name}` cannot be read-modified-written: it is {what}"),
+                format!("use `{}`", if caps.readable { "read" } else { "write" }),
+            )
         }
         NoModify::OnlyFlags(flags) => {
             let (what, instead) = match (clear, can_request(register)) {
                 (true, _) => ("would be cleared", "use `clear(flags)`: one store that touches only these flags"),
-                (false, true) => ("would be requested again", "use `request(bits)`: one store that makes only these requests"),
+                (false, true) => {
+                    ("would be requested again", "use `request(bits)`: one store that makes only these requests")
+                }
                 (false, false) => ("would be written back", "use `write` with the value you mean"),
             };
             (format!("`{name}` cannot be read-modified-written: {} {what}", list(flags)), instead.to_owned())
@@ -103,32 +110,56 @@ pub(super) fn no_modify_reason(register: &Register, reason: &NoModify) -> (Strin
             if clear {
                 "use `clear(flags)`, or `read` once and pass the value on".to_owned()
             } else {
-                alternatives(register, "`read` it once, keep the value, and `write` what you mean")
+                alternatives(model, register, "`read` it once, keep the value, and `write` what you mean")
             },
         ),
-        NoModify::NoNeutral(fields) => (
-            format!("`{name}` cannot be read-modified-written: hardware changes {} between the read and the write", list(fields)),
-            alternatives(register, "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`"),
-        ),
+        NoModify::NoNeutral(fields) => {
+            let of_these = |field: &&Field| fields.contains(&field.name);
+            let any_write_clears =
+                register.fields.iter().filter(of_these).all(|f| f.access.code.write_effect() == WriteEffect::Resets);
+            if any_write_clears {
+                (
+                    format!("`{name}` cannot be read-modified-written: any write clears or presets {}", list(fields)),
+                    format!("use `write({name}::ZERO)` if that is what you want"),
+                )
+            } else {
+                (
+                    format!(
+                        "`{name}` cannot be read-modified-written: hardware changes {} between the read and the write",
+                        list(fields)
+                    ),
+                    alternatives(
+                        model,
+                        register,
+                        "say what each of these fields becomes: `reg.write(reg.read().with_..(..))`",
+                    ),
+                )
+            }
+        }
     }
 }
 
-fn alternatives(register: &Register, otherwise: &str) -> String {
-    if register.aliased {
+fn alternatives(model: &Model, register: &Register, otherwise: &str) -> String {
+    if has_aliases(model, register) {
         "use `set_bits`, `clear_bits` or `invert_bits`: one store that touches only these bits".to_owned()
     } else {
         otherwise.to_owned()
     }
 }
 
-fn modify_note(register: &Register) -> String {
+fn modify_note(model: &Model, register: &Register) -> String {
     match &register.capabilities.modify {
         Ok(()) | Err(NoModify::NotReadWrite) => String::new(),
         Err(reason) => {
-            let (why, instead) = no_modify_reason(register, reason);
+            let (why, instead) = no_modify_reason(model, register, reason);
             format!("No `modify`: {why}; {instead}.")
         }
     }
+}
+
+/// Alias registers may change it without a promise: an address behind which the hardware writes is not changed bit by bit.
+fn has_aliases(model: &Model, register: &Register) -> bool {
+    register.aliased && !model.aliases.is_empty() && register.unsafe_write.is_none()
 }
 
 /// One store can clear flags: nothing else in the register is stored or has no neutral value.
@@ -209,7 +240,7 @@ fn capabilities(model: &Model, register: &Register) -> TokenStream {
             }
         });
     }
-    if register.aliased && caps.writable {
+    if has_aliases(model, register) && caps.writable {
         for alias in &model.aliases {
             use regdef::model::AliasOp;
             let kind = match alias.op {

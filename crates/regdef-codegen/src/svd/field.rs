@@ -1,11 +1,7 @@
 //! Fields.
 
-use regdef::model::{
-    AccessCode, Field, Kind, Model, OnRead, ReadEffect, Register, Target, WriteEffect,
-};
-use svd_rs::{
-    Access, DimElement, FieldInfo, ModifiedWriteValues, ReadAction, WriteConstraint, WriteConstraintRange,
-};
+use regdef::model::{AccessCode, Field, Kind, Model, OnRead, ReadEffect, Register, Target, WriteEffect};
+use svd_rs::{Access, DimElement, FieldInfo, ModifiedWriteValues, ReadAction, WriteConstraint, WriteConstraintRange};
 
 use super::enums::Shared;
 use super::{At, Error, LEVEL, join, name};
@@ -78,16 +74,19 @@ fn constraint(field: &Field, enumerated: bool) -> Option<WriteConstraint> {
         _ if !stores => None,
         Kind::Enum(_) if enumerated => Some(WriteConstraint::UseEnumeratedValues(true)),
         Kind::Bool => None,
-        Kind::Enum(_) | Kind::Int => Some(WriteConstraint::Range(WriteConstraintRange { min: field.min, max: field.max })),
+        Kind::Enum(_) | Kind::Int => {
+            Some(WriteConstraint::Range(WriteConstraintRange { min: field.min, max: field.max }))
+        }
     }
 }
 
 fn description(model: &Model, register: &Register, field: &Field) -> String {
     let mut sentences = vec![text::sentence(&field.doc)];
     sentences.extend(text::access_notes(model, field));
-    sentences.push(text::conflicts(model, |target| {
-        matches!(target, Target::Field(at) if std::ptr::eq(model.field(*at), field))
-    }));
+    sentences.push(text::conflicts(
+        model,
+        |target| matches!(target, Target::Field(at) if std::ptr::eq(model.field(*at), field)),
+    ));
     if field.cites != register.cites {
         sentences.push(text::sentence(&text::cites(&field.cites)));
     }

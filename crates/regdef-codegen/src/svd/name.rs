@@ -55,7 +55,7 @@ fn numbers(first: u32, count: u32) -> Vec<String> {
 fn frame(names: &[String]) -> (usize, usize) {
     let shortest = names.iter().map(String::len).min().unwrap_or(0);
     let same = |pick: &dyn Fn(&String) -> Option<u8>| names.iter().all(|name| pick(name) == pick(&names[0]));
-    let before = (0..shortest.saturating_sub(1)).take_while(|&i| same(&|name| name.bytes().nth(i))).count();
+    let before = (0..shortest.saturating_sub(1)).take_while(|&i| same(&|name| name.as_bytes().get(i).copied())).count();
     let room = shortest.saturating_sub(before + 1);
     let after = (0..room).take_while(|&i| same(&|name| name.bytes().nth_back(i))).count();
     (before, after)

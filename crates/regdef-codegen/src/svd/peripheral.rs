@@ -14,7 +14,8 @@ pub(super) fn all(model: &Model, shared: &mut Shared) -> Result<Vec<Peripheral>,
         .usage(AddressBlockUsage::Registers)
         .build(LEVEL)
         .at("span")?;
-    let first_name = model.instances.first().map_or_else(|| name::identifier(&model.names.ident.upper), peripheral_name);
+    let first_name =
+        model.instances.first().map_or_else(|| name::identifier(&model.names.ident.upper), peripheral_name);
     shared.begin(&first_name);
     let first = PeripheralInfo::builder()
         .name(first_name.clone())
@@ -52,7 +53,8 @@ fn peripheral_name(instance: &Instance) -> String {
 }
 
 fn described(instance: &Instance) -> String {
-    let mut sentences = vec![format!("{} of {}.", instance.name, instance.chips.join(", ")), text::sentence(&instance.doc)];
+    let mut sentences =
+        vec![format!("{} of {}.", instance.name, instance.chips.join(", ")), text::sentence(&instance.doc)];
     if let Some(memory) = instance.memory {
         sentences.push(format!("Message memory at {memory:#x}."));
     }
@@ -113,7 +115,7 @@ fn cluster(model: &Model, shared: &mut Shared, id: ClusterId) -> Result<Register
     let cluster = &model.clusters[id.0];
     let (name, dim) = name::array(&cluster.name, &cluster.dim)?;
     let mut members = Vec::new();
-    shared.enter(&name);
+    shared.enter(&name, false);
     for (register, _) in model.cluster_registers(id) {
         add_register(model, shared, register, &mut members)?;
     }

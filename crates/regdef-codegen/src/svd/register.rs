@@ -50,7 +50,7 @@ pub(super) fn build(
     place: &Place,
 ) -> Result<svd_rs::Register, Error> {
     let register = model.register(id);
-    shared.enter(&place.name);
+    shared.enter(&place.name, register.window.is_some());
     let fields = register
         .fields
         .iter()

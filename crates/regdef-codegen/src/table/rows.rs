@@ -1,8 +1,6 @@
 //! The rows of the field table.
 
-use regdef::model::{
-    Dim, Enum, Field, FieldReset, Kind, Message, Model, Payload, Register, Reset, ResetKind,
-};
+use regdef::model::{Dim, Enum, Field, FieldReset, Kind, Message, Model, Payload, Register, Reset, ResetKind};
 
 use crate::text;
 
@@ -198,7 +196,7 @@ fn payload_rows(rows: &mut Vec<Row>, message: &Message, payload: &Payload) {
     let bytes_per_word = message.word_width / 8;
     let largest = payload.sizes.iter().copied().max().unwrap_or(0);
     for word in 0..largest.div_ceil(bytes_per_word) {
-        for byte in 0..bytes_per_word {
+        for byte in (0..bytes_per_word).filter(|byte| word * bytes_per_word + byte < largest) {
             let number = |label: &str, n: u32| match label.contains("{n}") {
                 true => label.replace("{n}", &n.to_string()),
                 false => format!("{label}{n}"),

@@ -1,11 +1,11 @@
 //! Every fact says where it stands, and every description says something.
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::Cite;
 use crate::path::Path;
 
-pub(super) fn present(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn present(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     let mut need = |cites: &[Cite], what: &str, name: &str, at: Path| {
         if cites.is_empty() {
@@ -37,7 +37,7 @@ pub(super) fn present(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     docs(lowered, findings);
 }
 
-fn docs(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+fn docs(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     let mut empty = |doc: &str, what: &str, at: &Path| {
         if doc.trim().is_empty() {

@@ -1,8 +1,8 @@
 //! Names stay different after they have become identifiers of generated code.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::Field;
 use crate::path::Path;
@@ -10,16 +10,37 @@ use crate::path::Path;
 /// Names the generated Rust needs for itself.
 const TYPES: [&str; 12] =
     ["Reg", "Mmio", "Bus", "Register", "Readable", "Writable", "Modify", "Clear", "Request", "Pure", "Alias", "Word"];
-const METHODS: [&str; 10] = ["bits", "from_bits", "contains", "is_empty", "reset", "eq", "fmt", "clone", "read", "write"];
+const METHODS: [&str; 10] =
+    ["bits", "from_bits", "contains", "is_empty", "reset", "eq", "fmt", "clone", "read", "write"];
 
 struct Names<'a> {
     seen: HashMap<String, (String, Path)>,
-    findings: &'a mut Vec<Diagnostic>,
+    reserved: &'static [&'static str],
+    why: &'static str,
+    findings: &'a mut Findings,
 }
 
-impl Names<'_> {
+impl<'a> Names<'a> {
+    fn new(findings: &'a mut Findings) -> Self {
+        Names { seen: HashMap::new(), reserved: &[], why: "", findings }
+    }
+
+    /// Names that are taken from the start, and by what.
+    fn reserve(mut self, reserved: &'static [&'static str], why: &'static str) -> Self {
+        (self.reserved, self.why) = (reserved, why);
+        self
+    }
+
     fn add(&mut self, identifier: &str, name: &str, at: &Path) {
-        if let Some((other, first)) = self.seen.get(identifier) {
+        // A name without letters is reported for itself.
+        if identifier.is_empty() {
+            return;
+        }
+        let help = "give it another identifier with `name: ...`";
+        if self.reserved.contains(&identifier) {
+            let title = format!("`{name}` becomes `{identifier}` in generated code, which is {}", self.why);
+            self.findings.push(Diagnostic::new(Code::IdentifierClash, Spot::Key(at.clone()), title).help(help));
+        } else if let Some((other, first)) = self.seen.get(identifier) {
             self.findings.push(
                 Diagnostic::new(
                     Code::IdentifierClash,
@@ -27,25 +48,24 @@ impl Names<'_> {
                     format!("`{other}` and `{name}` both become `{identifier}` in generated code"),
                 )
                 .also(Spot::Key(first.clone()), format!("`{other}`"))
-                .help("give one of them another identifier with `name: ...`"),
+                .help(help),
             );
         } else {
             self.seen.insert(identifier.to_owned(), (name.to_owned(), at.clone()));
         }
     }
-
-    fn reserve(&mut self, identifiers: &[&str], why: &str) {
-        for identifier in identifiers {
-            self.seen.insert((*identifier).to_owned(), (why.to_owned(), Path::root()));
-        }
-    }
 }
 
-pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn clashes(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     types(lowered, findings);
-    let mut methods = Names { seen: HashMap::new(), findings };
+    let mut methods = Names::new(findings);
+    // Two registers of one type name are reported already.
+    let mut known = HashSet::new();
     for (index, register) in model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_none()) {
+        if !known.insert(&register.ident.pascal) {
+            continue;
+        }
         methods.add(&register.ident.snake, &register.name, &lowered.registers[index].path);
     }
     for cluster in &model.clusters {
@@ -56,8 +76,10 @@ pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
     for (id, cluster) in model.clusters.iter().enumerate() {
         let base = Path::root().key("clusters").key(&cluster.name);
-        let mut members = Names { seen: HashMap::new(), findings };
-        for (index, register) in model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_some_and(|c| c.0 == id)) {
+        let mut members = Names::new(findings);
+        for (index, register) in
+            model.registers.iter().enumerate().filter(|(_, r)| r.cluster.is_some_and(|c| c.0 == id))
+        {
             let ident = register.ident.within(&cluster.ident);
             members.add(&ident.snake, &register.name, &lowered.registers[index].path);
         }
@@ -76,10 +98,9 @@ pub(super) fn clashes(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn types(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+fn types(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
-    let mut types = Names { seen: HashMap::new(), findings };
-    types.reserve(&TYPES, "a type of the generated code");
+    let mut types = Names::new(findings).reserve(&TYPES, "a type of the runtime");
     types.add(&model.names.ident.pascal, &model.names.id, &Path::root().key("controller"));
     for (register, origin) in model.registers.iter().zip(&lowered.registers) {
         types.add(&register.ident.pascal, &register.name, &origin.path);
@@ -103,9 +124,8 @@ fn types(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn fields(fields: &[Field], paths: &[Path], findings: &mut Vec<Diagnostic>) {
-    let mut names = Names { seen: HashMap::new(), findings };
-    names.reserve(&METHODS, "a method of every register value");
+fn fields(fields: &[Field], paths: &[Path], findings: &mut Findings) {
+    let mut names = Names::new(findings).reserve(&METHODS, "a method of every register value");
     for (field, path) in fields.iter().zip(paths) {
         names.add(&field.ident.snake, &field.name, path);
     }

@@ -1,15 +1,17 @@
 //! Registers are aligned, inside the block, apart from each other, and leave no unexplained gap.
 
+mod reserved;
+
 use std::collections::HashSet;
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::{Dim, Model, Placed, RegisterId, WindowId};
 use crate::path::Path;
 
-pub(super) fn registers(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn registers(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
-    let before = findings.len();
+    let mut fine = true;
     for (index, register) in model.registers.iter().enumerate() {
         let path = &lowered.registers[index].path;
         let bytes = u64::from(register.width / 8);
@@ -23,11 +25,15 @@ pub(super) fn registers(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
             && dim.stride < reach
         {
             let with = if reach > bytes { " with its aliases" } else { "" };
+            fine = false;
             findings.push(
                 Diagnostic::new(
                     Code::StrideTooSmall,
                     Spot::Value(path.key("array").key("stride")),
-                    format!("the stride of `{}` is {}, but an element takes {reach} bytes{with}", register.name, dim.stride),
+                    format!(
+                        "the stride of `{}` is {}, but an element takes {reach} bytes{with}",
+                        register.name, dim.stride
+                    ),
                 )
                 .label(format!("has to be at least {reach}")),
             );
@@ -39,18 +45,24 @@ pub(super) fn registers(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
             register.dim.as_ref().map(|dim| (dim.stride, Spot::Value(path.key("array").key("stride")), "stride")),
         ];
         for (value, at, what) in misaligned.into_iter().flatten().filter(|(value, ..)| value % bytes != 0) {
+            fine = false;
             findings.push(
                 Diagnostic::new(
                     Code::Misaligned,
                     at,
                     format!("the {what} {value:#x} of `{}` is not a multiple of its {bytes} bytes", register.name),
                 )
-                .help(format!("the nearest aligned values are {:#x} and {:#x}", value - value % bytes, value - value % bytes + bytes)),
+                .help(format!(
+                    "the nearest aligned values are {:#x} and {:#x}",
+                    value - value % bytes,
+                    value - value % bytes + bytes
+                )),
             );
         }
         if let Some(cluster) = cluster {
             let end = offset + reach + span(register.dim.as_ref());
             if cluster.dim.count > 1 && end > cluster.dim.stride {
+                fine = false;
                 findings.push(
                     Diagnostic::new(
                         Code::StrideTooSmall,
@@ -65,11 +77,12 @@ pub(super) fn registers(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
             }
         }
     }
-    if findings.len() > before {
-        return;
+    // What follows would repeat the same mistakes in other words, or cannot be counted.
+    if fine && countable(lowered, findings) && lowered.windows_known {
+        let all = taken(model);
+        overlaps(lowered, &all, findings);
+        reserved::ranges(lowered, &all, findings);
     }
-    overlaps(lowered, findings);
-    gaps(lowered, findings);
 }
 
 fn span(dim: Option<&Dim>) -> u64 {
@@ -111,106 +124,102 @@ fn taken(model: &Model) -> Vec<Taken> {
     all
 }
 
-fn overlaps(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+/// Most registers with all elements of arrays and clusters, aliases included.
+const MAX_REGISTERS: u64 = 1 << 16;
+
+/// The registers are few enough to be looked at one by one.
+fn countable(lowered: &Lowered, findings: &mut Findings) -> bool {
     let model = &lowered.model;
-    let all = taken(model);
-    let mut reported = HashSet::<(RegisterId, RegisterId)>::new();
-    for (index, one) in all.iter().enumerate() {
-        let path = &lowered.registers[one.placed.register.0].path;
-        if one.to >= model.span {
-            if reported.insert((one.placed.register, one.placed.register)) {
-                findings.push(
-                    Diagnostic::new(
-                        Code::OutsideBlock,
-                        Spot::Value(path.key("offset")),
-                        format!("`{}` ends at {:#x}, outside the block of {:#x} bytes", one.name(model), one.to, model.span),
-                    )
-                    .also(Spot::Value(Path::root().key("span")), "the block's size"),
-                );
-            }
-            continue;
-        }
-        for other in all[index + 1..].iter().take_while(|other| other.from <= one.to) {
-            let apart = matches!((one.window, other.window), (Some(a), Some(b)) if a != b);
-            if apart || !reported.insert((one.placed.register, other.placed.register)) {
-                continue;
-            }
-            let second = &lowered.registers[other.placed.register.0].path;
-            let is_array = |t: &Taken| {
-                let register = model.register(t.placed.register);
-                register.dim.is_some() || register.cluster.is_some()
-            };
-            let code = if is_array(one) || is_array(other) { Code::ArrayOverlap } else { Code::RegisterOverlap };
-            let shared = if one.from == other.from && one.to == other.to {
-                format!("are both at {:#x}", one.from)
-            } else {
-                format!("share the bytes {:#x} to {:#x}", other.from, one.to.min(other.to))
-            };
+    let mut total = 0;
+    for (register, origin) in model.registers.iter().zip(&lowered.registers) {
+        let outer = register.cluster.map_or(1, |id| u64::from(model.clusters[id.0].dim.count));
+        let inner = register.dim.as_ref().map_or(1, |dim| u64::from(dim.count));
+        let aliases = if register.aliased { model.aliases.len() as u64 } else { 0 };
+        total += outer * inner * (1 + aliases);
+        if total > MAX_REGISTERS {
             findings.push(
                 Diagnostic::new(
-                    code,
-                    Spot::Value(second.key("offset")),
-                    format!("`{}` and `{}` {shared}", one.name(model), other.name(model)),
+                    Code::OutOfRange,
+                    Spot::Key(origin.path.clone()),
+                    format!("the arrays and clusters make more than {MAX_REGISTERS} registers"),
                 )
-                .label(format!("`{}` is at {:#x}", other.name(model), other.from))
-                .also(Spot::Value(path.key("offset")), format!("`{}` is at {:#x}", one.name(model), one.from))
-                .help("registers share an address only in different windows"),
+                .label("counted up to here")
+                .help("check the numbers of elements; no controller has so many registers"),
             );
+            return false;
+        }
+    }
+    true
+}
+
+fn overlaps(lowered: &Lowered, all: &[Taken], findings: &mut Findings) {
+    let model = &lowered.model;
+    let mut reported = HashSet::<(RegisterId, RegisterId)>::new();
+    let mut outside = HashSet::<RegisterId>::new();
+    // Registers that reach up to the one that is looked at.
+    let mut active: Vec<&Taken> = Vec::new();
+    for next in all {
+        let path = &lowered.registers[next.placed.register.0].path;
+        if next.to >= model.span && outside.insert(next.placed.register) {
+            findings.push(
+                Diagnostic::new(
+                    Code::OutsideBlock,
+                    Spot::Value(path.key("offset")),
+                    format!(
+                        "`{}` ends at {:#x}, outside the block of {:#x} bytes",
+                        next.name(model),
+                        next.to,
+                        model.span
+                    ),
+                )
+                .also(Spot::Value(Path::root().key("span")), "the size of the block")
+                .help("correct the offset or the repetition, or enlarge `span`"),
+            );
+        }
+        active.retain(|one| one.to >= next.from);
+        let meets = |one: &&&Taken| one.window.is_none() || next.window.is_none() || one.window == next.window;
+        let Some(one) = active.iter().find(meets) else {
+            active.push(next);
+            continue;
+        };
+        if reported.insert((one.placed.register, next.placed.register)) {
+            findings.push(overlap(lowered, one, next));
+        }
+        if next.to > one.to {
+            active.push(next);
         }
     }
 }
 
-/// Every byte of the block is a register's or reserved, in every window.
-fn gaps(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+fn overlap(lowered: &Lowered, one: &Taken, next: &Taken) -> Diagnostic {
     let model = &lowered.model;
-    let views: Vec<Option<WindowId>> =
-        if model.windows.is_empty() { vec![None] } else { (0..model.windows.len()).map(|i| Some(WindowId(i))).collect() };
-    let all = taken(model);
-    for view in views {
-        let visible = |window: Option<WindowId>| window.is_none() || window == view;
-        let mut runs: Vec<(u64, u64)> = all.iter().filter(|t| visible(t.window)).map(|t| (t.from, t.to)).collect();
-        runs.extend(model.reserved.iter().filter(|r| visible(r.window)).map(|r| (r.from, r.to)));
-        runs.sort_unstable();
-        let mut next = 0;
-        let mut holes = Vec::new();
-        for (from, to) in runs {
-            if from > next {
-                holes.push((next, from - 1));
-            }
-            next = next.max(to + 1);
+    let path = |taken: &Taken| lowered.registers[taken.placed.register.0].path.key("offset");
+    // The one that stands further down in the file is the one to look at first.
+    let (first, second) = if one.placed.register <= next.placed.register { (one, next) } else { (next, one) };
+    let is_array = |taken: &Taken| {
+        let register = model.register(taken.placed.register);
+        register.dim.is_some() || register.cluster.is_some()
+    };
+    let code = if is_array(one) || is_array(next) { Code::ArrayOverlap } else { Code::RegisterOverlap };
+    let shared = if one.from == next.from && one.to == next.to {
+        format!("are both at {:#x}", one.from)
+    } else {
+        format!("share the bytes {:#x} to {:#x}", next.from, one.to.min(next.to))
+    };
+    let place = |taken: &Taken| format!("`{}` is at {:#x} to {:#x}", taken.name(model), taken.from, taken.to);
+    let finding = Diagnostic::new(
+        code,
+        Spot::Value(path(second)),
+        format!("`{}` and `{}` {shared}", first.name(model), second.name(model)),
+    )
+    .label(place(second));
+    let finding =
+        if path(first) == path(second) { finding } else { finding.also(Spot::Value(path(first)), place(first)) };
+    match (first.alias.is_some() || second.alias.is_some(), code) {
+        (true, _) => {
+            finding.help("an alias register stands beside each; `no_aliases: true` takes them from a register")
         }
-        if next < model.span {
-            holes.push((next, model.span - 1));
-        }
-        if holes.is_empty() {
-            continue;
-        }
-        let list = holes.iter().map(|(from, to)| format!("{from:#05x} to {to:#05x}")).collect::<Vec<_>>().join(", ");
-        let place = view.map_or(String::new(), |id| format!(" in the window `{}`", model.windows[id.0].name));
-        findings.push(
-            Diagnostic::new(
-                Code::Gap,
-                Spot::Value(Path::root().key("span")),
-                format!("nothing is said about the bytes {list}{place}"),
-            )
-            .help("list them under `reserved`, with what an access does, or transcribe the missing registers"),
-        );
-    }
-    for range in &model.reserved {
-        let clash = all.iter().find(|t| {
-            let windows_meet = t.window.is_none() || range.window.is_none() || t.window == range.window;
-            windows_meet && t.from <= range.to && range.from <= t.to
-        });
-        if let Some(taken) = clash {
-            let path = &lowered.registers[taken.placed.register.0].path;
-            findings.push(
-                Diagnostic::new(
-                    Code::RegisterOverlap,
-                    Spot::Value(path.key("offset")),
-                    format!("`{}` lies in the reserved range {:#05x} to {:#05x}", taken.name(model), range.from, range.to),
-                )
-                .help("correct the offset, or shorten the range"),
-            );
-        }
+        (_, Code::ArrayOverlap) => finding.help("check the number of elements and the stride of the array or cluster"),
+        _ => finding.help("correct one offset; registers share an address only in different windows"),
     }
 }

@@ -1,15 +1,20 @@
 //! No two fields wait for each other to become writable.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
-use crate::model::FieldRef;
-use crate::model::RegisterId;
+use crate::model::{FieldRef, RegisterId};
 
-pub(super) fn conditions(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+/// Most steps of the search for circles, which a description that is made to be hard could draw out.
+const MAX_STEPS: usize = 1_000_000;
+
+/// Which fields a field waits for.
+type Waits = HashMap<FieldRef, Vec<FieldRef>>;
+
+pub(super) fn conditions(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
-    let mut waits: HashMap<FieldRef, Vec<FieldRef>> = HashMap::new();
+    let mut waits = Waits::new();
     let mut order = Vec::new();
     for (index, register) in model.registers.iter().enumerate() {
         for (field_index, field) in register.fields.iter().enumerate() {
@@ -20,20 +25,24 @@ pub(super) fn conditions(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
             order.push(at);
         }
     }
-    let mut reported = HashSet::new();
+    reduce(&mut waits);
+    let mut steps = MAX_STEPS;
     for start in order {
-        if reported.contains(&start) {
-            continue;
+        let Some(circle) = circle(start, &waits, &mut steps) else { continue };
+        // One finding for each circle: its fields need not be looked at again.
+        for field in &circle {
+            waits.remove(field);
         }
-        let Some(circle) = circle(start, &waits) else { continue };
-        reported.extend(circle.iter().copied());
         let origin = &lowered.registers[start.register.0];
         let names: Vec<_> = circle.iter().chain([&start]).map(|f| model.field_path(*f)).collect();
         findings.push(
             Diagnostic::new(
                 Code::ConditionLock,
                 Spot::Key(origin.fields[start.field].clone()),
-                format!("`{}` is writable only when fields allow it that wait for it themselves", model.field_path(start)),
+                format!(
+                    "`{}` is writable only when fields allow it that wait for it themselves",
+                    model.field_path(start)
+                ),
             )
             .label(names.join(" → "))
             .help("if the reset state does not fulfil the conditions, none of these fields can ever be written"),
@@ -41,25 +50,67 @@ pub(super) fn conditions(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The shortest way from a field back to itself.
-fn circle(start: FieldRef, waits: &HashMap<FieldRef, Vec<FieldRef>>) -> Option<Vec<FieldRef>> {
-    let mut seen = HashSet::new();
-    let mut trails = vec![vec![start]];
-    while !trails.is_empty() {
-        let mut next = Vec::new();
-        for trail in trails {
-            for need in waits.get(&trail[trail.len() - 1]).into_iter().flatten() {
-                if *need == start {
-                    return Some(trail);
-                }
-                if seen.insert(*need) {
-                    let mut longer = trail.clone();
-                    longer.push(*need);
-                    next.push(longer);
+/// Leaves only what is in a circle or on a way from one circle to another.
+fn reduce(waits: &mut Waits) {
+    waits.values_mut().for_each(|needs| {
+        needs.sort_unstable_by_key(|at| (at.register.0, at.field));
+        needs.dedup();
+    });
+    take_ends(waits);
+    let mut waited_for = reversed(waits);
+    take_ends(&mut waited_for);
+    waits.retain(|field, _| waited_for.contains_key(field));
+}
+
+fn reversed(edges: &Waits) -> Waits {
+    let mut other = Waits::new();
+    for (from, list) in edges {
+        for to in list.iter().filter(|to| edges.contains_key(to)) {
+            other.entry(*to).or_default().push(*from);
+        }
+    }
+    other
+}
+
+/// Takes away, again and again, the fields that lead to no other.
+fn take_ends(edges: &mut Waits) {
+    let back = reversed(edges);
+    let inside = |list: &Vec<FieldRef>| list.iter().filter(|to| edges.contains_key(to)).count();
+    let mut open: HashMap<FieldRef, usize> = edges.iter().map(|(from, list)| (*from, inside(list))).collect();
+    let mut ends: Vec<_> = open.iter().filter(|(_, count)| **count == 0).map(|(field, _)| *field).collect();
+    while let Some(field) = ends.pop() {
+        edges.remove(&field);
+        for from in back.get(&field).into_iter().flatten() {
+            if let Some(count) = open.get_mut(from) {
+                *count -= 1;
+                if *count == 0 {
+                    ends.push(*from);
                 }
             }
         }
-        trails = next;
+    }
+}
+
+/// A shortest way from a field back to itself.
+fn circle(start: FieldRef, waits: &Waits, steps: &mut usize) -> Option<Vec<FieldRef>> {
+    let mut reached_from: HashMap<FieldRef, FieldRef> = HashMap::new();
+    let mut next = std::collections::VecDeque::from([start]);
+    while let Some(field) = next.pop_front() {
+        for need in waits.get(&field).into_iter().flatten() {
+            *steps = steps.checked_sub(1)?;
+            if *need == start {
+                let mut trail = vec![field];
+                while trail[trail.len() - 1] != start {
+                    trail.push(reached_from[&trail[trail.len() - 1]]);
+                }
+                trail.reverse();
+                return Some(trail);
+            }
+            if waits.contains_key(need) && !reached_from.contains_key(need) {
+                reached_from.insert(*need, field);
+                next.push_back(*need);
+            }
+        }
     }
     None
 }

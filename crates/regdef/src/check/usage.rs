@@ -2,12 +2,12 @@
 
 use std::collections::HashSet;
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 use crate::model::{ConditionId, EnumId, Field, WindowId};
 use crate::path::Path;
 
-pub(super) fn unused(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn unused(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     let words = model.messages.iter().flat_map(|m| &m.words);
     let all_fields = || {
@@ -22,7 +22,8 @@ pub(super) fn unused(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
     used_conditions.extend(model.memory.sections.iter().filter_map(|s| s.exists_when));
     let used_windows: HashSet<WindowId> =
         model.registers.iter().filter_map(|r| r.window).chain(model.reserved.iter().filter_map(|r| r.window)).collect();
-    let mentioned = |name: &str| model.conditions.iter().any(|c| c.name != name && words_of(&c.text).any(|w| w == name));
+    let mentions: HashSet<&str> =
+        model.conditions.iter().flat_map(|c| words_of(&c.text).filter(|word| *word != c.name)).collect();
     let mut report = |what: &str, name: &str, at: &Path| {
         findings.push(
             Diagnostic::new(Code::Unused, Spot::Key(at.clone()), format!("the {what} `{name}` is used nowhere"))
@@ -35,7 +36,7 @@ pub(super) fn unused(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
         }
     }
     for (index, condition) in model.conditions.iter().enumerate().filter(|(_, c)| c.named) {
-        if !used_conditions.contains(&ConditionId(index)) && !mentioned(&condition.name) {
+        if !used_conditions.contains(&ConditionId(index)) && !mentions.contains(condition.name.as_str()) {
             report("condition", &condition.name, &lowered.conditions[index]);
         }
     }

@@ -1,10 +1,13 @@
 //! Resets and enumerations make sense together.
 
-use crate::diagnostic::{Code, Diagnostic, Spot};
+use crate::diagnostic::{Code, Diagnostic, Findings, Spot};
 use crate::lower::Lowered;
 
+/// Most runs of values that one finding lists.
+const MAX_LISTED: usize = 8;
+
 /// A known reset is not a reserved or unnamed value.
-pub(super) fn resets(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn resets(lowered: &Lowered, findings: &mut Findings) {
     let model = &lowered.model;
     for (register, origin) in model.registers.iter().zip(&lowered.registers) {
         for (field, path) in register.fields.iter().zip(&origin.fields) {
@@ -30,7 +33,7 @@ pub(super) fn resets(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
 }
 
 /// Every value of a field is named or reserved.
-pub(super) fn enumerations(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
+pub(super) fn enumerations(lowered: &Lowered, findings: &mut Findings) {
     for (entry, path) in lowered.model.enums.iter().zip(&lowered.enums) {
         if entry.width == 0 || entry.width > 16 {
             continue;
@@ -41,11 +44,17 @@ pub(super) fn enumerations(lowered: &Lowered, findings: &mut Vec<Diagnostic>) {
         let mut next = 0;
         let mut holes = Vec::new();
         let end = 1 << entry.width;
+        let mut listed = 0;
         for (first, last) in runs.into_iter().chain([(end, end)]) {
+            if first > next && listed == MAX_LISTED {
+                holes.push("more".to_owned());
+                break;
+            }
             if first > next {
+                listed += 1;
                 holes.push(if first - 1 == next { next.to_string() } else { format!("{next}..{}", first - 1) });
             }
-            next = next.max(last + 1);
+            next = next.max(last.saturating_add(1));
         }
         if holes.is_empty() {
             continue;

@@ -40,7 +40,7 @@ macro_rules! codes {
 codes! {
     /// The file could not be read.
     Unreadable = "E001",
-    /// The file is larger than a description can be.
+    /// The file, or something in it, is larger than a description can be.
     TooLarge = "E002",
     /// The file is not UTF-8.
     NotUtf8 = "E003",
@@ -60,6 +60,8 @@ codes! {
     TooDeep = "E010",
     /// Tags such as `!!str` are not part of the language.
     Tag = "E011",
+    /// The text holds a character that is not text, or ends a line for some readers of YAML only.
+    BadCharacter = "E012",
     /// The language has no such key here.
     UnknownKey = "E101",
     /// A key is missing.
@@ -80,10 +82,12 @@ codes! {
     BadExpression = "E109",
     /// A condition depends on itself.
     ConditionCycle = "E110",
-    /// A register copies itself through `like`.
+    /// A register copies itself through `like`, or the chain of copies is too long.
     LikeCycle = "E111",
-    /// Two keys exclude each other.
+    /// Two statements exclude each other.
     Contradiction = "E112",
+    /// Interrupt sources feed each other in a circle.
+    FeedCycle = "E113",
     /// Two fields share bits.
     FieldOverlap = "E201",
     /// A field has bits outside its register.
@@ -118,7 +122,7 @@ codes! {
     AccessMismatch = "E308",
     /// A limit of a field does not fit its bits.
     LimitTooWide = "E309",
-    /// The values of an enumeration differ in number from the register's needs.
+    /// A range is empty, or a list does not have the length it needs.
     BadRange = "E310",
     /// A fact has no citation.
     NoCitation = "E401",
@@ -126,8 +130,10 @@ codes! {
     UnknownSource = "E402",
     /// A window has no field that selects it, or registers of one window are not told apart.
     WindowWithoutSelector = "E403",
-    /// The file uses CRLF line ends.
+    /// The file uses CRLF or CR line ends.
     CrLf = "W001",
+    /// There are more findings than are listed.
+    TooMany = "W002",
     /// Addresses of the block belong to no register and no reserved range.
     Gap = "W101",
     /// A reset value is one that its enumeration reserves or does not name.

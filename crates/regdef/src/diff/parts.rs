@@ -1,7 +1,9 @@
 //! Messages, conditions, effects, interrupts and the like.
 
 use super::{Change, Line, Pair, add, compare, fields, matched, none};
-use crate::model::{Effect, FieldRef, InterruptSource, Joined, Message, Model, RegisterId, ReservedRange, SectionStart, Word};
+use crate::model::{
+    Effect, FieldRef, InterruptSource, Joined, Message, Model, RegisterId, ReservedRange, SectionStart, Word,
+};
 
 pub(super) fn messages(old: &Model, new: &Model, changes: &mut Vec<Change>) {
     for pair in matched(&old.messages, &new.messages, |m| m.name.clone(), |_, _| false) {
@@ -10,7 +12,9 @@ pub(super) fn messages(old: &Model, new: &Model, changes: &mut Vec<Change>) {
                 add(changes, format!("message `{}`", b.name), message(a, b));
                 words(old, a, new, b, changes);
             }
-            Pair::Old(a) => add(changes, format!("message `{}`", a.name), vec![Line::Removed("the message".to_owned())]),
+            Pair::Old(a) => {
+                add(changes, format!("message `{}`", a.name), vec![Line::Removed("the message".to_owned())])
+            }
             Pair::New(b) => add(changes, format!("message `{}`", b.name), vec![Line::Added("the message".to_owned())]),
         }
     }
@@ -29,7 +33,9 @@ fn message(a: &Message, b: &Message) -> Vec<Line> {
 }
 
 fn words(old: &Model, a: &Message, new: &Model, b: &Message, changes: &mut Vec<Change>) {
-    let present = |model: &Model, w: &Word| w.present_when.map_or("always".to_owned(), |id| model.condition(id).expr.display(model));
+    let present = |model: &Model, w: &Word| {
+        w.present_when.map_or("always".to_owned(), |id| model.condition(id).expr.display(model))
+    };
     for pair in matched(&a.words, &b.words, |w| w.name.clone(), |x, y| x.offset == y.offset) {
         let (name, lines) = match pair {
             Pair::Both(x, y) => {
@@ -59,31 +65,40 @@ pub(super) fn rest(old: &Model, new: &Model, changes: &mut Vec<Change>) {
     named(changes, "window", windows(old), windows(new));
     let joined = |m: &Model| -> Vec<_> { m.joined.iter().map(|j| (j.name.clone(), joined_text(m, j))).collect() };
     named(changes, "joined value", joined(old), joined(new));
-    let reserved = |m: &Model| -> Vec<_> { m.reserved.iter().map(|r| (format!("{:#05x}..={:#05x}", r.from, r.to), range(m, r))).collect() };
+    let reserved = |m: &Model| -> Vec<_> {
+        m.reserved.iter().map(|r| (format!("{:#05x}..={:#05x}", r.from, r.to), range(m, r))).collect()
+    };
     named(changes, "reserved range", reserved(old), reserved(new));
     let effects = |m: &Model| -> Vec<_> { m.effects.iter().map(|e| effect(m, e)).collect() };
     named(changes, "effect of", effects(old), effects(new));
     let lines = |m: &Model| -> Vec<_> {
-        let text = |l: &crate::model::InterruptLine| {
-            format!("enabled by {}, selected by {:?}", field(m, l.enable), l.select)
-        };
+        let text =
+            |l: &crate::model::InterruptLine| format!("enabled by {}, selected by {:?}", field(m, l.enable), l.select);
         m.interrupts.lines.iter().map(|l| (l.name.clone(), text(l))).collect()
     };
     named(changes, "interrupt line", lines(old), lines(new));
-    let sources = |m: &Model| -> Vec<_> { m.interrupts.sources.iter().map(|s| (s.name.clone(), source(m, s))).collect() };
+    let sources =
+        |m: &Model| -> Vec<_> { m.interrupts.sources.iter().map(|s| (s.name.clone(), source(m, s))).collect() };
     named(changes, "interrupt source", sources(old), sources(new));
-    let sections = |m: &Model| -> Vec<_> {
-        m.memory.sections.iter().map(|s| (s.name.clone(), section(m, s))).collect()
-    };
+    let sections =
+        |m: &Model| -> Vec<_> { m.memory.sections.iter().map(|s| (s.name.clone(), section(m, s))).collect() };
     named(changes, "memory section", sections(old), sections(new));
     let timing = |m: &Model| -> Vec<_> {
-        m.bit_timing.iter().flat_map(|t| [("nominal", Some(&t.nominal)), ("data", t.data.as_ref())])
+        m.bit_timing
+            .iter()
+            .flat_map(|t| [("nominal", Some(&t.nominal)), ("data", t.data.as_ref())])
             .filter_map(|(name, phase)| Some((name.to_owned(), phase?)))
             .map(|(name, p)| {
                 let f = |at| m.field_path(at);
                 let text = format!(
                     "prescaler {}, propagation {}, segments {} and {}, jump width {}, {} to {} quanta",
-                    f(p.prescaler), field(m, p.propagation), f(p.segment1), f(p.segment2), f(p.jump_width), p.min_quanta, p.max_quanta
+                    f(p.prescaler),
+                    field(m, p.propagation),
+                    f(p.segment1),
+                    f(p.segment2),
+                    f(p.jump_width),
+                    p.min_quanta,
+                    p.max_quanta
                 );
                 (name, text)
             })
@@ -139,7 +154,8 @@ fn range(model: &Model, range: &ReservedRange) -> String {
 fn effect(model: &Model, effect: &Effect) -> (String, String) {
     let registers = listed(&effect.resets, |id| model.register(*id).name.clone());
     let resets = listed(&effect.resets_fields, |at| model.field_path(*at));
-    let loads = listed(&effect.loads, |(to, from)| format!("{} from {}", model.field_path(*to), model.field_path(*from)));
+    let loads =
+        listed(&effect.loads, |(to, from)| format!("{} from {}", model.field_path(*to), model.field_path(*from)));
     let sets = listed(&effect.sets, |(to, value)| format!("{} to {value}", model.field_path(*to)));
     let held = if effect.holds { ", held" } else { "" };
     let name = model.condition(effect.on).expr.display(model);

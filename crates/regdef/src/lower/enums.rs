@@ -2,11 +2,15 @@
 
 use indexmap::IndexMap;
 
-use super::{Lowering, cites};
+use super::Lowering;
+use super::references::cites;
 use crate::diagnostic::{Code, Diagnostic, Spot};
 use crate::model::{Cite, Enum, EnumId, EnumVariant, Ident};
 use crate::path::Path;
 use crate::syntax::{EnumDef, EnumValue, ValueKey};
+
+/// Most entries of an enumeration: the frame lengths of CAN FD have 16, an interrupt code 128.
+const MAX_VALUES: usize = 1024;
 
 impl Lowering<'_> {
     pub(super) fn enums(&mut self) {
@@ -20,8 +24,9 @@ impl Lowering<'_> {
                 }
             };
             self.cite(cite, &at);
+            self.check_identifier(name, &at);
             let id = self.add_enum(name, true, doc, cites(cite), values, &values_at);
-            self.declare(|l| &mut l.enum_names, name, id, "enumeration", &at);
+            self.enum_names.insert(name.clone(), id);
         }
     }
 
@@ -38,7 +43,14 @@ impl Lowering<'_> {
         let mut variants: Vec<EnumVariant> = Vec::new();
         let mut reserved = Vec::new();
         let mut taken: Vec<(ValueKey, String)> = Vec::new();
-        for (key, value) in values {
+        if values.len() > MAX_VALUES {
+            let title = format!("the enumeration `{name}` has {} entries; {MAX_VALUES} is the most", values.len());
+            self.find(
+                Diagnostic::new(Code::OutOfRange, Spot::Key(at.clone()), title)
+                    .help("a field with so many values holds a number; ranges such as \"0..31\" name many at once"),
+            );
+        }
+        for (key, value) in values.iter().take(MAX_VALUES) {
             let (value_name, value_doc, number) = match value {
                 EnumValue::Name(name) => (name, String::new(), None),
                 EnumValue::Full(full) => (&full.name, full.doc.clone().unwrap_or_default(), full.number.map(|n| n.0)),
@@ -47,14 +59,17 @@ impl Lowering<'_> {
             if key.first > key.last {
                 self.find(
                     Diagnostic::new(Code::BadRange, Spot::Key(place.clone()), "the range ends before it starts")
-                        .help("write the smaller value first"),
+                        .label(format!("write \"{}..{}\"", key.last, key.first))
+                        .help("the smaller value comes first; both ends are included"),
                 );
                 continue;
             }
-            if let Some((_, other)) = taken.iter().find(|(k, _)| k.first <= key.last && key.first <= k.last) {
+            if let Some((first, other)) = taken.iter().find(|(k, _)| k.first <= key.last && key.first <= k.last) {
                 let title = format!("`{value_name}` has a value that `{other}` has already");
                 self.find(
                     Diagnostic::new(Code::DuplicateEnumValue, Spot::Key(place.clone()), title)
+                        .label("again here")
+                        .also(Spot::Key(at.key(&first.spelling)), "first here")
                         .help("every value can have one name; note a second meaning in `doc`"),
                 );
             }
@@ -63,12 +78,17 @@ impl Lowering<'_> {
                 reserved.push((key.first, key.last));
                 continue;
             }
-            self.check_identifier(value_name, &place);
+            self.check_value_name(value_name, &place);
             if let Some(other) = variants.iter().find(|v| v.ident.pascal == Ident::new(value_name).pascal) {
+                let first = taken.iter().find(|(key, _)| key.first == other.first);
+                let first = first.map_or_else(|| at.clone(), |(key, _)| at.key(&key.spelling));
                 let title = format!("the enumeration has two values named `{value_name}`");
-                let title = if other.name == *value_name { title } else { format!("{title} (the other is `{}`)", other.name) };
+                let title =
+                    if other.name == *value_name { title } else { format!("{title} (the other is `{}`)", other.name) };
                 self.find(
-                    Diagnostic::new(Code::DuplicateName, Spot::Key(place), title)
+                    Diagnostic::new(Code::DuplicateName, Spot::Value(place), title)
+                        .label("again here")
+                        .also(Spot::Value(first), "first here")
                         .help("give each value a name of its own, or one entry with a range of values"),
                 );
                 continue;
@@ -100,13 +120,26 @@ impl Lowering<'_> {
         id
     }
 
-    /// Reports a name that has no letter to start an identifier with.
-    pub(super) fn check_identifier(&mut self, name: &str, at: &Path) {
-        let fine = name.chars().any(|c| c.is_ascii_alphanumeric()) && name.is_ascii();
+    fn check_value_name(&mut self, name: &str, at: &Path) {
+        let fine = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+            && name.contains(|c: char| c.is_ascii_alphanumeric());
         if !fine {
+            let lower: String = name
+                .chars()
+                .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' })
+                .take(64)
+                .collect();
+            let hint = if lower.contains(|c: char| c.is_ascii_alphanumeric()) {
+                format!("perhaps `{lower}`")
+            } else {
+                String::new()
+            };
             self.find(
-                Diagnostic::new(Code::BadIdentifier, Spot::Key(at.clone()), format!("`{name}` cannot be an identifier"))
-                    .help("use ASCII letters, digits and underscores"),
+                Diagnostic::new(Code::BadIdentifier, Spot::Value(at.clone()), format!("`{name}` cannot name a value"))
+                    .label(hint)
+                    .help(
+                        "use lower case ASCII letters, digits and underscores; what the value means belongs into `doc`",
+                    ),
             );
         }
     }

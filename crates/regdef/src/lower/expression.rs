@@ -21,7 +21,13 @@ pub(super) enum Parsed {
     Any(Vec<Parsed>),
     /// A name alone: another condition.
     Name(String),
-    Compare { register: String, field: String, index: LaneIndex, comparison: Comparison, value: Literal },
+    Compare {
+        register: String,
+        field: String,
+        index: LaneIndex,
+        comparison: Comparison,
+        value: Literal,
+    },
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,7 +59,13 @@ struct Parser {
     end: usize,
 }
 
+/// Longest expression in bytes.
+const MAX_LENGTH: usize = 2000;
+
 pub(super) fn parse(text: &str) -> Result<Parsed, Problem> {
+    if text.len() > MAX_LENGTH {
+        return Err(Problem { at: 0..0, what: format!("it is longer than {MAX_LENGTH} bytes") });
+    }
     let mut parser = Parser { tokens: tokenize(text)?, at: 0, end: text.len() };
     let parsed = parser.any(0)?;
     match parser.tokens.get(parser.at) {
@@ -214,7 +226,9 @@ mod tests {
 
     #[test]
     fn problems_have_places() {
-        for (text, at) in [("A.B &&", 6), ("A.B = 1", 4), ("(A.B", 4), ("A.", 2), ("A.B C.D", 4), ("A.B[x]", 4), ("", 0)] {
+        for (text, at) in
+            [("A.B &&", 6), ("A.B = 1", 4), ("(A.B", 4), ("A.", 2), ("A.B C.D", 4), ("A.B[x]", 4), ("", 0)]
+        {
             assert_eq!(parse(text).expect_err(text).at.start, at, "{text}");
         }
         let deep = "!".repeat(100_000) + "A.B";

@@ -2,16 +2,21 @@
 
 use indexmap::IndexMap;
 
-use super::{Lowering, cites};
-use crate::diagnostic::{Code, Diagnostic, Spot, suggestion};
+use super::Lowering;
+use super::references::{cites, weight};
+use crate::diagnostic::{Code, Diagnostic, Spot};
 use crate::model::{
-    Access, AccessCode, Cite, Field, FieldRef, FieldReset, Ident, Kind, Lanes, MessageId, RegisterId, bit_mask,
+    Access, AccessCode, Cite, EnumVariant, Field, FieldRef, FieldReset, Ident, Kind, Lanes, MessageId, RegisterId,
+    bit_mask,
 };
 use crate::path::Path;
-use crate::syntax::{self, BitRange};
+use crate::syntax::{self, BitRange, EnumDef, EnumValue, ValueKey};
+
+/// Most fields of a register or word: it has no more bits.
+const MAX_FIELDS: usize = 64;
 
 /// What holds a field.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Holder {
     Register(RegisterId),
     Word(MessageId, usize),
@@ -20,7 +25,7 @@ pub(crate) enum Holder {
 /// Rules of a field that name other fields.
 pub(crate) struct PendingRules {
     pub holder: Holder,
-    pub field: usize,
+    pub field: String,
     pub at: Path,
     pub when: Option<(String, Path)>,
     pub set_when: Option<(String, Path)>,
@@ -51,17 +56,29 @@ impl Lowering<'_> {
     ) -> (Vec<Field>, Vec<Path>) {
         let mut fields = Vec::new();
         let mut paths = Vec::new();
-        for (name, text) in list {
+        if list.len() > MAX_FIELDS {
+            let title = format!("`{}` has {} fields, more than bits", outer.name, list.len());
+            self.find(
+                Diagnostic::new(Code::OutOfRange, Spot::Key(outer.at.key("fields")), title)
+                    .help("a field that repeats in a register is one field with `lanes`"),
+            );
+        }
+        for (name, text) in list.iter().take(MAX_FIELDS) {
             let at = origins.get(name).cloned().unwrap_or_else(|| outer.at.key("fields").key(name));
-            if let Some(field) = self.field(name, text, &at, outer, fields.len()) {
-                fields.push(field);
-                paths.push(at);
+            match self.field(name, text, &at, outer) {
+                Some(field) => {
+                    fields.push(field);
+                    paths.push(at);
+                }
+                None => {
+                    self.lost_fields.insert((outer.holder, name.clone()));
+                }
             }
         }
         (fields, paths)
     }
 
-    fn field(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, index: usize) -> Option<Field> {
+    fn field(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>) -> Option<Field> {
         let BitRange { msb, lsb } = text.bits;
         let bits_at = Spot::Value(at.key("bits"));
         if msb < lsb {
@@ -98,7 +115,8 @@ impl Lowering<'_> {
                     );
                     return None;
                 }
-                Some(Lanes { count: lanes.count, stride, first: lanes.first })
+                let first = self.first(lanes.first, &at.key("lanes").key("first"));
+                Some(Lanes { count: lanes.count, stride, first })
             }
             None => None,
         };
@@ -117,7 +135,11 @@ impl Lowering<'_> {
         self.check_identifier(name, at);
         self.cite(text.cite.as_ref(), at);
         let own_cites = cites(text.cite.as_ref());
-        let access = self.access(name, text, at, outer, index)?;
+        self.check_name(text.name.as_ref(), at);
+        if own_cites.is_empty() {
+            self.repeat(weight(outer.cites), at);
+        }
+        let access = self.access(name, text, at, outer)?;
         let kind = self.kind(name, text, at, outer, width);
         let capacity = bit_mask(0, width);
         let limit = |int: Option<syntax::Int>, default: u64| int.map_or(default, |i| i.0);
@@ -128,17 +150,17 @@ impl Lowering<'_> {
                     Diagnostic::new(
                         Code::LimitTooWide,
                         Spot::Value(at.key("range").key(key)),
-                        format!("{value} does not fit the {width} bits of `{name}`"),
+                        format!("{value} does not fit the {} of `{name}`", bits(width)),
                     )
                     .label(format!("has to be at most {capacity}")),
                 );
             }
         }
-        if min > max {
+        if min > max && min <= capacity {
             self.find(Diagnostic::new(
                 Code::BadRange,
                 Spot::Value(at.key("range")),
-                format!("no value of `{name}` is between {min} and {max}"),
+                format!("no value of `{name}` is at least {min} and at most {max}"),
             ));
         }
         if let Some(must) = text.must_write
@@ -148,7 +170,7 @@ impl Lowering<'_> {
                 Diagnostic::new(
                     Code::LimitTooWide,
                     Spot::Value(at.key("must_write")),
-                    format!("{} does not fit the {width} bits of `{name}`", must.0),
+                    format!("{} does not fit the {} of `{name}`", must.0, bits(width)),
                 )
                 .label(format!("has to be at most {capacity}")),
             );
@@ -172,7 +194,7 @@ impl Lowering<'_> {
         })
     }
 
-    fn access(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, index: usize) -> Option<Access> {
+    fn access(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>) -> Option<Access> {
         let Some(code) = text.access.or(outer.access) else {
             self.find(
                 Diagnostic::new(Code::NoAccess, Spot::Key(at.clone()), format!("`{name}` has no access code"))
@@ -181,7 +203,8 @@ impl Lowering<'_> {
             );
             return None;
         };
-        let mismatch = |key: &str, title: String| Diagnostic::new(Code::AccessMismatch, Spot::Value(at.key(key)), title);
+        let mismatch =
+            |key: &str, title: String| Diagnostic::new(Code::AccessMismatch, Spot::Value(at.key(key)), title);
         if let Some(on_read) = text.on_read {
             if !code.readable() {
                 self.find(mismatch("on_read", format!("`{name}` cannot be read, so a read can have no effect on it")));
@@ -217,8 +240,11 @@ impl Lowering<'_> {
         }
         if text.write_loads.is_some() && code != AccessCode::Wclr {
             self.find(
-                mismatch("write_loads", format!("`{name}` has access `{}`; only `wclr` loads on a write", code.as_str()))
-                    .help("use `access: wclr` for a field that any write clears or presets"),
+                mismatch(
+                    "write_loads",
+                    format!("`{name}` has access `{}`; only `wclr` loads on a write", code.as_str()),
+                )
+                .help("use `access: wclr` for a field that any write clears or presets"),
             );
         }
         if text.safe_to_write_back.is_some() && code.neutral() != crate::model::Neutral::None && code.writable() {
@@ -236,7 +262,14 @@ impl Lowering<'_> {
         let set_when = rule(&text.set_when, None, "set_when").filter(|_| writable);
         let loads = rule(&text.write_loads, None, "write_loads");
         if when.is_some() || set_when.is_some() || loads.is_some() {
-            self.pending.push(PendingRules { holder: outer.holder, field: index, at: at.clone(), when, set_when, loads });
+            self.pending.push(PendingRules {
+                holder: outer.holder,
+                field: name.to_owned(),
+                at: at.clone(),
+                when,
+                set_when,
+                loads,
+            });
         }
         Some(Access {
             code,
@@ -267,14 +300,14 @@ impl Lowering<'_> {
             (Some(reference), None) => match self.enum_names.get(reference) {
                 Some(id) => *id,
                 None => {
-                    let hint = suggestion(reference, self.enum_names.keys().map(String::as_str));
+                    let hint = self.hint(reference, self.enum_names.keys().map(String::as_str), "unknown enumeration");
                     self.find(
                         Diagnostic::new(
                             Code::UnknownReference,
                             Spot::Value(at.key("enum")),
                             format!("there is no enumeration `{reference}`"),
                         )
-                        .label(hint.unwrap_or_else(|| "unknown enumeration".to_owned()))
+                        .label(hint)
                         .help("declare it under `enums`, or list `values` at the field"),
                     );
                     return plain;
@@ -289,27 +322,44 @@ impl Lowering<'_> {
         let entry = &mut self.out.model.enums[id.0];
         entry.width = entry.width.max(width);
         let capacity = bit_mask(0, width);
-        let too_wide = entry
-            .variants
-            .iter()
-            .map(|v| (v.last, v.name.clone()))
-            .chain(entry.reserved.iter().map(|r| (r.1, "reserved".to_owned())))
-            .find(|(last, _)| *last > capacity);
-        if let Some((last, variant)) = too_wide {
-            let spot = Spot::Value(if text.enum_ref.is_some() { at.key("enum") } else { at.key("values") });
-            self.find(
-                Diagnostic::new(
-                    Code::EnumTooWide,
-                    spot,
-                    format!("the value {last} (`{variant}`) does not fit the {width} bits of `{name}`"),
-                )
-                .label(format!("the largest value is {capacity}")),
-            );
+        let of_entry = |v: &EnumVariant| (v.last, v.name.clone());
+        let values = entry.variants.iter().map(of_entry);
+        let values = values.chain(entry.reserved.iter().map(|r| (r.1, "reserved".to_owned())));
+        let too_wide: Vec<_> = values.filter(|(last, _)| *last > capacity).collect();
+        for (last, variant) in too_wide {
+            let same = |list: &IndexMap<ValueKey, EnumValue>| {
+                list.keys().find(|key| key.last == last).map(|key| key.spelling.clone()).unwrap_or_default()
+            };
+            let title = format!("the value {last} (`{variant}`) does not fit the {} of `{name}`", bits(width));
+            let limit = format!("has to be at most {capacity}");
+            let wide = |spot| Diagnostic::new(Code::EnumTooWide, spot, title.clone());
+            self.find(match (&text.enum_ref, &text.values) {
+                (_, Some(values)) => wide(Spot::Key(at.key("values").key(same(values))))
+                    .label(limit)
+                    .also(Spot::Value(at.key("bits")), "the bits"),
+                (Some(shared), None) => {
+                    let list = Path::root().key("enums").key(shared);
+                    let place = match self.text.enums.get(shared) {
+                        Some(EnumDef::Full(full)) => list.key("values").key(same(&full.values)),
+                        Some(EnumDef::Short(values)) => list.key(same(values)),
+                        None => list,
+                    };
+                    wide(Spot::Value(at.key("enum"))).label(limit).also(Spot::Key(place), "the value")
+                }
+                (None, None) => wide(Spot::Key(at.clone())),
+            });
         }
         Kind::Enum(id)
     }
 
-    fn field_reset(&mut self, name: &str, text: &syntax::Field, at: &Path, outer: &Outer<'_>, width: u32) -> FieldReset {
+    fn field_reset(
+        &mut self,
+        name: &str,
+        text: &syntax::Field,
+        at: &Path,
+        outer: &Outer<'_>,
+        width: u32,
+    ) -> FieldReset {
         let capacity = bit_mask(0, width);
         match text.reset {
             Some(syntax::FieldReset::Value(value)) => {
@@ -318,7 +368,7 @@ impl Lowering<'_> {
                         Diagnostic::new(
                             Code::ResetTooWide,
                             Spot::Value(at.key("reset")),
-                            format!("the reset {:#x} does not fit the {width} bits of `{name}`", value.0),
+                            format!("the reset {:#x} does not fit the {} of `{name}`", value.0, bits(width)),
                         )
                         .label(format!("the largest value is {capacity:#x}")),
                     );
@@ -342,33 +392,51 @@ impl Lowering<'_> {
     /// Resolves what fields say about other fields, once all fields exist.
     pub(super) fn rules(&mut self) {
         for rules in std::mem::take(&mut self.pending) {
+            let fields = match rules.holder {
+                Holder::Register(id) => &self.out.model.registers[id.0].fields,
+                Holder::Word(id, word) => &self.out.model.messages[id.0].words[word].fields,
+            };
+            let Some(index) = fields.iter().position(|f| f.name == rules.field) else { continue };
             let own = match rules.holder {
-                Holder::Register(register) => Some(FieldRef { register, field: rules.field }),
+                Holder::Register(register) => Some(FieldRef { register, field: index }),
                 Holder::Word(..) => None,
             };
-            let when = rules.when.and_then(|(text, at)| self.condition_ref(&text, &at));
-            let set_when = rules.set_when.and_then(|(text, at)| self.condition_ref(&text, &at));
-            let loads = rules.loads.and_then(|(text, at)| self.field_ref(&text, &at));
-            let field = match rules.holder {
-                Holder::Register(id) => self.out.model.registers[id.0].fields.get_mut(rules.field),
-                Holder::Word(id, word) => {
-                    self.out.model.messages[id.0].words[word].fields.get_mut(rules.field)
-                }
+            let mut condition = |rule: Option<(String, Path)>| {
+                let (text, at) = rule?;
+                let id = self.condition_ref(&text, &at)?;
+                self.check_own_number(id, own, &at);
+                Some(id)
             };
-            let Some(field) = field else { continue };
-            field.access.when = when;
-            field.access.set_when = set_when;
-            field.access.loads = loads;
+            let when = condition(rules.when);
+            let set_when = condition(rules.set_when);
+            let loads = rules.loads.and_then(|(text, at)| self.field_ref(&text, &at));
+            let fields = match rules.holder {
+                Holder::Register(id) => &mut self.out.model.registers[id.0].fields,
+                Holder::Word(id, word) => &mut self.out.model.messages[id.0].words[word].fields,
+            };
+            let access = &mut fields[index].access;
+            access.when = when;
+            access.set_when = set_when;
+            access.loads = loads;
             if let (Some(own), Some(target)) = (own, loads)
                 && self.out.model.field(own).width != self.out.model.field(target).width
             {
-                let title = format!("`{}` is not as wide as the field that loads it", self.out.model.field_path(target));
-                self.find(Diagnostic::new(
-                    Code::AccessMismatch,
-                    Spot::Value(rules.at.key("write_loads")),
-                    title,
-                ));
+                let bits = |at: FieldRef| (self.out.model.field_path(at), self.out.model.field(at).width);
+                let ((own, width), (target, other)) = (bits(own), bits(target));
+                self.find(
+                    Diagnostic::new(
+                        Code::AccessMismatch,
+                        Spot::Value(rules.at.key("write_loads")),
+                        format!("`{own}` has {width} bits, `{target}` has {other}"),
+                    )
+                    .help("a write can load only a field that is as wide"),
+                );
             }
         }
     }
+}
+
+/// "1 bit" or "3 bits".
+fn bits(width: u32) -> String {
+    if width == 1 { "1 bit".to_owned() } else { format!("{width} bits") }
 }

@@ -23,6 +23,8 @@ impl Lowering<'_> {
     fn joined_list(&mut self, list: &IndexMap<String, syntax::Joined>, base: &Path) {
         for (name, joined) in list {
             let at = base.key(name);
+            self.check_identifier(name, &at);
+            self.check_name(joined.name.as_ref(), &at);
             let parts = self.joined_parts(joined, &at);
             let Some(parts) = parts else { continue };
             let repetition = |id: RegisterId| {
@@ -61,6 +63,9 @@ impl Lowering<'_> {
         let mut shift = 0;
         for (index, reference) in joined.parts.iter().enumerate() {
             let at = at.key("parts").index(index);
+            if index >= MAX_WIDTH as usize {
+                break;
+            }
             let part = self.part(reference, shift, &at)?;
             shift += part.width;
             parts.push(part);
@@ -72,8 +77,12 @@ impl Lowering<'_> {
     pub(super) fn check_parts(&mut self, count: usize, width: u32, at: &Path) -> bool {
         if count < 2 {
             self.find(
-                Diagnostic::new(Code::OutOfRange, Spot::Value(at.key("parts")), "a joined value has at least two parts")
-                    .help("list the parts with the least significant one first"),
+                Diagnostic::new(
+                    Code::OutOfRange,
+                    Spot::Value(at.key("parts")),
+                    "a joined value has at least two parts",
+                )
+                .help("list the parts with the least significant one first"),
             );
             return false;
         }

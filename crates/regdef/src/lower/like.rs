@@ -13,6 +13,28 @@ pub(super) struct Expanded {
     pub origins: IndexMap<String, Path>,
 }
 
+/// Longest chain of copies of copies.
+pub(super) const MAX_STEPS: usize = 8;
+
+/// Bytes of text that a copy of a register repeats.
+fn weight(register: &Register) -> usize {
+    let maybe = |text: &Option<String>| text.as_ref().map_or(0, String::len);
+    let field = |(key, field): (&String, &Field)| {
+        let values = field.values.iter().flat_map(|values| values.values()).map(|value| match value {
+            EnumValue::Name(name) => 32 + name.len(),
+            EnumValue::Full(full) => 32 + full.name.len() + maybe(&full.doc),
+        });
+        let texts =
+            [&field.label, &field.name, &field.when, &field.set_when, &field.write_loads, &field.safe_to_write_back];
+        let cited = field.cite.as_ref().map_or(0, |cite| super::references::weight(cite.as_slice()));
+        256 + key.len() + field.doc.len() + texts.into_iter().map(maybe).sum::<usize>() + values.sum::<usize>() + cited
+    };
+    let texts = [&register.doc, &register.when, &register.unsafe_write];
+    texts.into_iter().map(maybe).sum::<usize>()
+        + register.hazards.iter().map(String::len).sum::<usize>()
+        + register.fields.iter().map(field).sum::<usize>()
+}
+
 impl Lowering<'_> {
     /// Resolves `like` for one register of a list, through any number of steps.
     pub(super) fn expand(&mut self, name: &str, list: &IndexMap<String, Register>, base: &Path) -> Option<Expanded> {
@@ -21,24 +43,43 @@ impl Lowering<'_> {
             let last = &chain[chain.len() - 1];
             let Some(like) = list.get(last).and_then(|r| r.like.as_ref()) else { break };
             let at = base.key(last).key("like").key("register");
+            if self.lost_registers.contains(&like.register) {
+                return None;
+            }
             if chain.contains(&like.register) {
                 let cycle = chain.join(" → ");
                 self.find(
-                    Diagnostic::new(Code::LikeCycle, Spot::Value(at), format!("`like` leads back to `{}`", like.register))
-                        .label(format!("{cycle} → {}", like.register))
-                        .help("one register of the circle has to list its fields itself"),
+                    Diagnostic::new(
+                        Code::LikeCycle,
+                        Spot::Value(at),
+                        format!("`like` leads back to `{}`", like.register),
+                    )
+                    .label(format!("{cycle} → {}", like.register))
+                    .help("one register of the circle has to list its fields itself"),
                 );
                 return None;
             }
             if !list.contains_key(&like.register) {
-                let hint = crate::diagnostic::suggestion(&like.register, list.keys().map(String::as_str));
+                let hint = self.hint(&like.register, list.keys().map(String::as_str), "unknown register");
                 self.find(
                     Diagnostic::new(
                         Code::UnknownReference,
                         Spot::Value(at),
                         format!("there is no register `{}` in this list", like.register),
                     )
-                    .label(hint.unwrap_or_default()),
+                    .label(hint)
+                    .help("`like` copies a register of the same list: of `registers`, or of the same cluster"),
+                );
+                return None;
+            }
+            if chain.len() == MAX_STEPS {
+                self.find(
+                    Diagnostic::new(
+                        Code::LikeCycle,
+                        Spot::Value(at),
+                        format!("`like` leads through more than {MAX_STEPS} registers"),
+                    )
+                    .help("copy the register that lists the fields itself"),
                 );
                 return None;
             }
@@ -52,11 +93,36 @@ impl Lowering<'_> {
             let own = list.get(&next)?;
             let pairs = own.like.as_ref().map(|l| l.replace.clone()).unwrap_or_default();
             let replace = Replace::new(&pairs);
+            let like_at = base.key(&next).key("like");
+            if !self.repeat(weight(&register).saturating_mul(1 + replace.growth()), &like_at) {
+                return None;
+            }
+            let empty = own.like.iter().flat_map(|l| l.replace.keys()).any(String::is_empty);
+            if empty {
+                let title = "the empty text cannot be replaced";
+                self.find(Diagnostic::new(Code::OutOfRange, Spot::Key(like_at.key("replace").key("")), title));
+            }
             let copied = std::mem::take(&mut register.fields);
             let moved = std::mem::take(&mut origins);
             let mut fields = IndexMap::new();
+            let mut originals: IndexMap<String, String> = IndexMap::new();
             for ((key, field), origin) in copied.into_iter().zip(moved.into_values()) {
-                let key = replace.text(&key);
+                let copied_as = replace.text(&key);
+                if let Some(other) = originals.get(&copied_as) {
+                    self.find(
+                        Diagnostic::new(
+                            Code::DuplicateName,
+                            Spot::Value(like_at.key("replace")),
+                            format!("two fields of `{next}` would be named `{copied_as}`"),
+                        )
+                        .label(format!("`{other}` and `{key}` both become `{copied_as}`"))
+                        .also(Spot::Key(origin), format!("`{key}`"))
+                        .help("replace a longer text that only one of them contains"),
+                    );
+                    continue;
+                }
+                originals.insert(copied_as.clone(), key);
+                let key = copied_as;
                 fields.insert(key.clone(), replace.field(field));
                 origins.insert(key, origin);
             }
@@ -104,9 +170,15 @@ pub(super) struct Replace<'a> {
 
 impl<'a> Replace<'a> {
     pub(super) fn new(pairs: &'a IndexMap<String, String>) -> Self {
-        let mut pairs: Vec<_> = pairs.iter().map(|(a, b)| (a.as_str(), b.as_str())).filter(|(a, _)| !a.is_empty()).collect();
+        let mut pairs: Vec<_> =
+            pairs.iter().map(|(a, b)| (a.as_str(), b.as_str())).filter(|(a, _)| !a.is_empty()).collect();
         pairs.sort_by_key(|(from, _)| std::cmp::Reverse(from.len()));
         Self { pairs }
+    }
+
+    /// How many times longer a text can become.
+    fn growth(&self) -> usize {
+        self.pairs.iter().map(|(from, to)| to.len() / from.len()).max().unwrap_or(0)
     }
 
     pub(super) fn text(&self, text: &str) -> String {

@@ -1,8 +1,6 @@
 //! Effects, interrupts, bit timing, instances, conflicts and choices of the model.
 
-use super::{
-    Cite, ClusterId, ConditionId, EnumId, FieldRef, InterruptId, LineId, MessageId, RegisterId,
-};
+use super::{Cite, ClusterId, ConditionId, EnumId, FieldRef, InterruptId, LineId, MessageId, RegisterId};
 
 /// What one state of the registers does to others.
 #[derive(Debug, Clone)]

@@ -215,8 +215,8 @@ impl Enum {
     /// Every value that the widest field can hold has a name.
     #[must_use]
     pub fn is_total(&self) -> bool {
-        let named: u64 = self.variants.iter().map(|v| v.last - v.first + 1).sum();
-        self.width < 64 && named == 1 << self.width
+        let named: u128 = self.variants.iter().map(|v| u128::from(v.last - v.first) + 1).sum();
+        named == 1 << self.width.min(64)
     }
 }
 

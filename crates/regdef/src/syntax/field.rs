@@ -139,7 +139,7 @@ pub struct Encoding {
 #[serde(untagged)]
 pub enum EnumDef {
     /// With a description.
-    Full(EnumFull),
+    Full(Box<EnumFull>),
     /// The values alone: `{0: disabled, 1: enabled}`.
     Short(IndexMap<ValueKey, EnumValue>),
 }

@@ -13,12 +13,10 @@ mod scalar;
 
 pub use access::{AccessCode, OnRead, ReadEffect};
 pub use behaviour::{
-    BitTiming, Choice, Clock, Conflict, Effect, Instance, InterruptGroup, InterruptLine, InterruptSource,
-    Interrupts, Says, TimingPhase, TransmitterDelay,
+    BitTiming, Choice, Clock, Conflict, Effect, Instance, InterruptGroup, InterruptLine, InterruptSource, Interrupts,
+    Says, TimingPhase, TransmitterDelay,
 };
-pub use field::{
-    Encoding, EnumDef, EnumFull, EnumValue, EnumValueFull, Field, FieldReset, Lanes, Range, ResetKind,
-};
+pub use field::{Encoding, EnumDef, EnumFull, EnumValue, EnumValueFull, Field, FieldReset, Lanes, Range, ResetKind};
 pub use memory::{Memory, Message, MessageWord, Payload, Section};
 pub use register::{
     Alias, AliasOp, Array, Cluster, Condition, ConditionFull, HalfOrder, Joined, Like, Register, ReservedRange, Reset,

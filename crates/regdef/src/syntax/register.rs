@@ -192,7 +192,7 @@ pub enum Condition {
     /// The expression alone, such as `CCCR.INIT && CCCR.CCE`.
     Expression(String),
     /// With a description.
-    Full(ConditionFull),
+    Full(Box<ConditionFull>),
 }
 
 /// A condition with a description.

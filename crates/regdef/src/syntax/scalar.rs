@@ -14,6 +14,9 @@ impl Int {
     /// Reads the spelling of an integer; `None` if it is not one or exceeds 64 bits.
     #[must_use]
     pub fn parse(text: &str) -> Option<u64> {
+        if !text.starts_with(|c: char| c.is_ascii_digit()) || text.contains(['+', '-']) {
+            return None;
+        }
         let digits = text.replace('_', "");
         match digits.get(..2) {
             Some("0x" | "0X") => u64::from_str_radix(&digits[2..], 16).ok(),
@@ -51,7 +54,8 @@ impl<'de> Deserialize<'de> for Int {
     }
 }
 
-const INT_PATTERN: &str = "^(0[xX][0-9a-fA-F_]+|0[bB][01_]+|[0-9][0-9_]*)$";
+/// The digits are counted so that a number that fits the pattern fits 64 bits.
+const INT_PATTERN: &str = "^(0[xX]_*([0-9a-fA-F]_*){1,16}|0[bB]_*([01]_*){1,64}|([0-9]_*){1,19})$";
 
 impl JsonSchema for Int {
     fn schema_name() -> Cow<'static, str> {
@@ -60,7 +64,7 @@ impl JsonSchema for Int {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "An unsigned integer: decimal, 0x or 0b, underscores allowed.",
+            "description": "An unsigned integer of at most 64 bits: decimal, 0x or 0b, underscores allowed.",
             "anyOf": [{"type": "integer", "minimum": 0}, {"type": "string", "pattern": INT_PATTERN}],
         })
     }
@@ -109,6 +113,8 @@ impl JsonSchema for BitRange {
     }
 }
 
+const VALUE_PATTERN: &str = "^(0[xX]_*([0-9a-fA-F]_*){1,16}|0[bB]_*([01]_*){1,64}|([0-9]_*){1,19})( *\\.\\. *(0[xX]_*([0-9a-fA-F]_*){1,16}|0[bB]_*([01]_*){1,64}|([0-9]_*){1,19}))?$";
+
 /// The value or the range of values that one entry of an enumeration names: `3` or `"0..31"` (both ends included).
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ValueKey {
@@ -148,7 +154,7 @@ impl JsonSchema for ValueKey {
             "description": "A value such as 3, 0x40 or 0b101, or a range such as \"0..31\" with both ends included.",
             "anyOf": [
                 {"type": "integer", "minimum": 0},
-                {"type": "string", "pattern": "^(0[xX][0-9a-fA-F_]+|0[bB][01_]+|[0-9][0-9_]*)(\\.\\.(0[xX][0-9a-fA-F_]+|0[bB][01_]+|[0-9][0-9_]*))?$"},
+                {"type": "string", "pattern": VALUE_PATTERN},
             ],
         })
     }
