@@ -1,5 +1,7 @@
 //! One node: protocol engine, bit-timing unit and pins.
 
+mod delay;
+
 use std::collections::VecDeque;
 
 use crate::{
@@ -53,6 +55,8 @@ pub(crate) struct Node {
     late_error: Option<(Position, Level)>,
     /// Transmitter delay measurement: when the output fell, until the input has followed.
     measuring: Option<Fine>,
+    /// An edge came back before the filter window was over, and the input has been dominant since.
+    early_edge: bool,
     /// Delay from output to input in clock periods, measured in the current frame.
     delay: Option<u64>,
     /// A dominant edge that counts only once it has lasted two quanta.
@@ -88,6 +92,7 @@ impl Node {
             late: VecDeque::new(),
             late_error: None,
             measuring: None,
+            early_edge: false,
             delay: None,
             filtered_edge: None,
             faults: NodeFaults::default(),
@@ -185,6 +190,9 @@ impl Node {
         }
         self.rx = level;
         if level {
+            if self.early_edge {
+                self.end_filter_window(at);
+            }
             if let Some(since) = self.filtered_edge.take() {
                 self.filter(since, at);
             }
@@ -232,23 +240,6 @@ impl Node {
         self.awake |= self.protocol.field == Field::Idle;
     }
 
-    /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, in whole clock periods.
-    fn measure(&mut self, fell: Fine, at: Time) {
-        let Some(compensation) = self.config.delay_compensation else {
-            return;
-        };
-        let at = Fine::from_time(at);
-        let mut delay = at.ticks_since(fell, self.clock.clock);
-        delay += u64::from(at.rest_since(fell, self.clock.clock) > 0);
-        if let DelaySource::Measured { filter } = compensation.delay
-            && compensation.secondary_sample_point(delay) < u64::from(filter)
-        {
-            return;
-        }
-        self.measuring = None;
-        self.delay = Some(delay);
-    }
-
     /// An output change that is due at `now`.
     pub(crate) fn drive(&mut self, now: u64) -> Output {
         if self.drive_at.is_none_or(|at| at.ceil() > now) {
@@ -259,6 +250,7 @@ impl Node {
         self.faults.next_bit();
         if !self.driven && self.starts_measurement() {
             self.measuring = at;
+            self.early_edge = false;
             self.delay = None;
         }
         if self.hears_itself() {
@@ -279,16 +271,6 @@ impl Node {
         }
         self.pin = level;
         Output::Pin(level)
-    }
-
-    fn starts_measurement(&self) -> bool {
-        self.protocol.sending
-            && self.protocol.field == Field::Res
-            && self.protocol.incoming.fd
-            && matches!(
-                self.config.delay_compensation,
-                Some(crate::DelayCompensation { delay: DelaySource::Measured { .. }, .. })
-            )
     }
 
     /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit
@@ -364,14 +346,19 @@ impl Node {
         let Some(compensation) = self.config.delay_compensation else {
             return;
         };
+        let brs = sampled.field == Field::Brs && !sampled.stuff && self.protocol.sending;
+        if brs && self.early_edge {
+            self.end_filter_window(cx.now);
+        }
         let delay = match compensation.delay {
             DelaySource::Fixed(delay) => u64::from(delay),
             // An edge that has not come back yet is beyond every limit.
             DelaySource::Measured { .. } => self.delay.unwrap_or(u64::from(u16::MAX)),
         };
         let secondary = compensation.secondary_sample_point(delay);
-        if sampled.field == Field::Brs && !sampled.stuff && self.protocol.sending {
+        if brs {
             self.measuring = None;
+            self.early_edge = false;
             cx.emit(EventKind::TransmitterDelay {
                 delay: delay.min(u64::from(u16::MAX)) as u16,
                 secondary_sample_point: secondary as u16,
@@ -404,6 +391,7 @@ impl Node {
         self.late.clear();
         self.late_error = None;
         self.measuring = None;
+        self.early_edge = false;
         self.filtered_edge = None;
     }
 

@@ -2,7 +2,7 @@
 
 use super::Wire;
 use crate::{
-    Field, NodeId, Time,
+    Disturbance, Field, NodeId, Time,
     fault::{BitFaultAt, Fault, Frames, Line, Noise, Timed},
 };
 
@@ -54,6 +54,14 @@ impl Wire {
         if let Some(level) = self.bus.settle() {
             self.spread(level);
         }
+    }
+
+    /// Holds or inverts a node's transmit output until told otherwise, whatever its mode: what a controller does whose
+    /// software takes the pin over. `None` gives the output back. [`Wire::clear_faults`] does so too.
+    pub fn override_output(&mut self, node: NodeId, how: Option<Disturbance>) {
+        self.settle();
+        self.nodes[node.index()].faults.tx.set(u32::MAX, how);
+        self.refresh_lines(node.index());
     }
 
     /// From now on every bit that the node samples while the bus is not idle is inverted with this probability; 0 ends

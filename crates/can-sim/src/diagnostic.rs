@@ -1,0 +1,279 @@
+//! Mistakes of a driver, reported where they happen.
+
+use core::fmt;
+
+use can_wire::{Time, TimingError};
+
+/// Width of an access in bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Bits(pub u8);
+
+impl Bits {
+    /// The bits of a word of this width.
+    #[must_use]
+    pub const fn mask(self) -> u32 {
+        regbus::bits::mask(self.0 as u32)
+    }
+
+    /// The width in bytes.
+    #[must_use]
+    pub const fn bytes(self) -> u32 {
+        self.0 as u32 / 8
+    }
+}
+
+/// Something the driver should not have done, or that it cannot have meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// When, in simulated time.
+    pub time: Time,
+    /// The controller, by the name it was added with; empty for a memory.
+    pub controller: String,
+    /// What.
+    pub kind: DiagnosticKind,
+    /// The section of the controller's manual that says so.
+    pub section: &'static str,
+}
+
+/// What went wrong, with the facts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DiagnosticKind {
+    /// A write that changes bits whose write condition does not hold; they keep their value.
+    ProtectedWrite {
+        /// The register.
+        register: String,
+        /// Names of the fields that would have changed.
+        fields: Vec<&'static str>,
+        /// The value written.
+        value: u32,
+        /// The condition that does not hold.
+        condition: &'static str,
+    },
+    /// An access to an address that the description reserves.
+    ReservedAddress {
+        /// Byte offset.
+        offset: u32,
+        /// True for a write.
+        write: bool,
+    },
+    /// An access outside everything that the description knows.
+    UnknownAddress {
+        /// Byte offset.
+        offset: u32,
+        /// True for a write.
+        write: bool,
+    },
+    /// An access of a width that is not legal here, or not aligned to its width. It has no effect and reads 0.
+    IllegalAccess {
+        /// Byte offset.
+        offset: u32,
+        /// Width in bits.
+        width: u8,
+        /// True for a write.
+        write: bool,
+    },
+    /// A register was read twice within a few accesses although the first read destroyed what it showed.
+    StatusReadTwice {
+        /// The register.
+        register: String,
+        /// What the first read saw.
+        lost: u32,
+        /// What the second read saw.
+        seen: u32,
+    },
+    /// A field holds a value outside its legal range.
+    ValueOutOfRange {
+        /// The register.
+        register: &'static str,
+        /// The field.
+        field: &'static str,
+        /// The value.
+        value: u32,
+        /// The smallest legal value.
+        min: u32,
+        /// The largest legal value.
+        max: u32,
+    },
+    /// Two fields contradict each other.
+    Contradiction {
+        /// What is wrong, with the values.
+        what: String,
+    },
+    /// The bit timing in the registers makes no node of the bus; the controller stays off it.
+    BitTiming(TimingError),
+    /// Two sections of message memory share words.
+    SectionsOverlap {
+        /// The section that begins first.
+        first: &'static str,
+        /// The other one.
+        second: &'static str,
+        /// Byte address of the first shared word.
+        address: u32,
+    },
+    /// A section reaches behind the addresses that the controller can form, or behind the end of the memory.
+    SectionBeyondMemory {
+        /// The section.
+        section: &'static str,
+        /// First byte address behind the section.
+        end: u32,
+        /// First byte address that does not exist.
+        limit: u32,
+    },
+    /// The controller used a word that does not exist; it reads 0 and takes no write.
+    MemoryOverrun {
+        /// Byte address.
+        address: u32,
+    },
+    /// An acknowledge index that names no element waiting to be read. Elements are lost or read again.
+    AcknowledgeInvalid {
+        /// The register written.
+        register: &'static str,
+        /// The index written.
+        index: u32,
+        /// The get index before.
+        get: u32,
+        /// The fill level before.
+        fill: u32,
+    },
+    /// A transmission was requested for a buffer that is not the one the put index has handed out.
+    NotHandedOut {
+        /// The register written.
+        register: &'static str,
+        /// The buffer.
+        buffer: u32,
+        /// The put index.
+        put: u32,
+    },
+    /// A request that the controller ignores.
+    RequestIgnored {
+        /// The register written.
+        register: &'static str,
+        /// The buffer.
+        buffer: u32,
+        /// Why it is ignored.
+        because: &'static str,
+    },
+    /// Message memory of a pending request was changed.
+    PendingBufferModified {
+        /// The buffer.
+        buffer: u32,
+        /// Byte address of the word.
+        address: u32,
+    },
+    /// A message does not fit the format it is sent in.
+    MessageInvalid {
+        /// The buffer.
+        buffer: u32,
+        /// What is wrong.
+        what: &'static str,
+    },
+    /// A new value was written to a field before the one before was taken over.
+    NotTakenOver {
+        /// The register.
+        register: &'static str,
+        /// The field.
+        field: &'static str,
+    },
+    /// An enabled interrupt flag was set, but it is routed to lines that are not enabled.
+    InterruptUnheard {
+        /// The register.
+        register: String,
+        /// The flags.
+        fields: Vec<&'static str>,
+    },
+    /// An interrupt handler was entered again and again because the line stayed active.
+    InterruptStorm {
+        /// The line, counted from 0.
+        line: usize,
+        /// How often the handler ran.
+        entries: u32,
+    },
+}
+
+impl fmt::Display for DiagnosticKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verb = |write: &bool| if *write { "write to" } else { "read of" };
+        match self {
+            Self::ProtectedWrite { register, fields, value, condition } => {
+                write!(f, "write of {value:#x} to {register} cannot change {}: needs `{condition}`", fields.join(", "))
+            }
+            Self::ReservedAddress { offset, write } => write!(f, "{} reserved address {offset:#x}", verb(write)),
+            Self::UnknownAddress { offset, write } => write!(f, "{} {offset:#x}, where nothing is", verb(write)),
+            Self::IllegalAccess { offset, width, write } => write!(f, "{width}-bit {} {offset:#x}", verb(write)),
+            Self::StatusReadTwice { register, lost, seen } => {
+                write!(f, "{register} was read twice: the first read destroyed {lost:#x}, the second saw {seen:#x}")
+            }
+            Self::ValueOutOfRange { register, field, value, min, max } => {
+                write!(f, "{register}.{field} is {value}, legal are {min} to {max}")
+            }
+            Self::Contradiction { what } => f.write_str(what),
+            Self::BitTiming(error) => write!(f, "the bit timing makes no node: {error}"),
+            Self::SectionsOverlap { first, second, address } => {
+                write!(f, "{first} and {second} overlap in message memory from byte {address:#x} on")
+            }
+            Self::SectionBeyondMemory { section, end, limit } => {
+                write!(f, "{section} ends at byte {end:#x}, the memory at {limit:#x}")
+            }
+            Self::MemoryOverrun { address } => write!(f, "the controller accessed byte {address:#x} of its memory"),
+            Self::AcknowledgeInvalid { register, index, get, fill } => {
+                write!(f, "{register}: index {index} acknowledged, but {fill} elements from {get} on wait to be read")
+            }
+            Self::NotHandedOut { register, buffer, put } => {
+                write!(f, "{register}: buffer {buffer} requested, but the put index is {put}")
+            }
+            Self::RequestIgnored { register, buffer, because } => {
+                write!(f, "{register}: the request for buffer {buffer} is ignored: {because}")
+            }
+            Self::PendingBufferModified { buffer, address } => {
+                write!(f, "byte {address:#x} of buffer {buffer} was written while its request is pending")
+            }
+            Self::MessageInvalid { buffer, what } => write!(f, "buffer {buffer}: {what}"),
+            Self::NotTakenOver { register, field } => {
+                write!(f, "{register}.{field} written again before the value before was taken over")
+            }
+            Self::InterruptUnheard { register, fields } => {
+                write!(f, "{register}: {} enabled, but routed to a disabled line", fields.join(", "))
+            }
+            Self::InterruptStorm { line, entries } => {
+                write!(f, "the handler of line {line} ran {entries} times and the line is still active")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}: {}", self.time, self.controller, self.kind)?;
+        if !self.section.is_empty() {
+            write!(f, " [{}]", self.section)?;
+        }
+        Ok(())
+    }
+}
+
+/// What happens to diagnostics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum OnDiagnostic {
+    /// They are collected.
+    #[default]
+    Collect,
+    /// The first one panics: a test fails where the mistake is made.
+    Panic,
+}
+
+/// The diagnostics of a run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Diagnostics {
+    pub(crate) policy: OnDiagnostic,
+    pub(crate) list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    pub(crate) fn report(&mut self, diagnostic: Diagnostic) {
+        if self.policy == OnDiagnostic::Panic {
+            panic!("{diagnostic}");
+        }
+        self.list.push(diagnostic);
+    }
+}

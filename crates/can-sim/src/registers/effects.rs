@@ -1,0 +1,141 @@
+//! What states of the registers do to other registers.
+
+use regbus::meta::{Effect, FieldRef};
+
+use super::{FieldAt, RegisterFile, Slot, conditions};
+
+/// One effect for one number that `[n]` can stand for.
+#[derive(Clone, Debug)]
+struct Instance {
+    effect: &'static Effect,
+    own: Option<u32>,
+}
+
+/// The effects of a description, and which registers each depends on.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Effects {
+    instances: Vec<Instance>,
+    /// Per register: effects to look at when it changes.
+    touched: Vec<Vec<u16>>,
+    /// Per effect: its condition held when it was looked at last.
+    held: Vec<bool>,
+    work: Vec<Slot>,
+    running: bool,
+}
+
+/// Register changes that one write may cause before the description is called contradictory.
+const LIMIT: usize = 10_000;
+
+impl Effects {
+    pub(super) fn new(file: &RegisterFile) -> Self {
+        let mut effects = Self { touched: vec![Vec::new(); file.values.len()], ..Self::default() };
+        for effect in file.meta.effects {
+            let expr = &file.meta.conditions[effect.on as usize].expr;
+            for own in numbers(file, conditions::own_field(expr)) {
+                effects.add(file, effect, own);
+            }
+        }
+        effects.held = vec![false; effects.instances.len()];
+        effects
+    }
+
+    fn add(&mut self, file: &RegisterFile, effect: &'static Effect, own: Option<u32>) {
+        let index = self.instances.len() as u16;
+        let mut slots = Vec::new();
+        let mut fields = Vec::new();
+        conditions::fields(&file.meta.conditions[effect.on as usize].expr, &mut fields);
+        slots.extend(fields.iter().filter_map(|(field, at)| file.numbered(*field, *at, own)).map(FieldAt::slot));
+        if effect.holds {
+            slots.extend(effect.resets.iter().map(|register| Slot(file.first[*register as usize])));
+            let targets = effect.resets_fields.iter().chain(effect.sets.iter().map(|(field, _)| field));
+            let moved = effect.loads.iter().flat_map(|(target, origin)| [target, origin]);
+            slots.extend(targets.chain(moved).map(|field| Slot(file.first[field.register as usize])));
+        }
+        slots.sort_unstable();
+        slots.dedup();
+        for slot in slots {
+            self.touched[slot.0 as usize].push(index);
+        }
+        self.instances.push(Instance { effect, own });
+    }
+}
+
+/// The numbers that a field with an own number can have.
+fn numbers(file: &RegisterFile, field: Option<FieldRef>) -> Vec<Option<u32>> {
+    let Some(field) = field else { return vec![None] };
+    let info = &file.meta.registers[field.register as usize];
+    let of = file.field_info(field);
+    let (first, count) = if of.lanes > 1 {
+        (u32::from(of.first_lane), u32::from(of.lanes) * info.array.map_or(1, |a| a.count))
+    } else {
+        let array = info.cluster.or(info.array);
+        array.map_or((0, 1), |array| (array.first, array.count))
+    };
+    (first..first + count).map(Some).collect()
+}
+
+impl RegisterFile {
+    /// After a reset: states that hold now have no edge, those that are held act.
+    pub(super) fn restart_effects(&mut self) {
+        for index in 0..self.effects.instances.len() {
+            let Instance { effect, own } = self.effects.instances[index].clone();
+            self.effects.held[index] = self.holds(effect.on, own);
+        }
+        for slot in self.slots() {
+            self.changed(slot);
+        }
+    }
+
+    /// A register has changed: carries out what follows, until nothing changes any more.
+    ///
+    /// # Panics
+    /// If effects undo each other for ever: the description contradicts itself.
+    pub(super) fn changed(&mut self, slot: Slot) {
+        if self.effects.touched[slot.0 as usize].is_empty() {
+            return;
+        }
+        self.effects.work.push(slot);
+        if core::mem::replace(&mut self.effects.running, true) {
+            return;
+        }
+        let mut steps = 0;
+        while let Some(slot) = self.effects.work.pop() {
+            steps += 1;
+            assert!(steps < LIMIT, "the effects of {} undo each other at {}", self.meta.name, self.name(slot));
+            for at in 0..self.effects.touched[slot.0 as usize].len() {
+                let index = self.effects.touched[slot.0 as usize][at];
+                self.look_at(index as usize);
+            }
+        }
+        self.effects.running = false;
+    }
+
+    fn look_at(&mut self, index: usize) {
+        let (effect, own) = (self.effects.instances[index].effect, self.effects.instances[index].own);
+        let holds = self.holds(effect.on, own);
+        let held = core::mem::replace(&mut self.effects.held[index], holds);
+        if !holds || (held && !effect.holds) {
+            return;
+        }
+        for register in effect.resets {
+            let first = self.first[*register as usize];
+            for element in 0..self.meta.registers[*register as usize].count() as u16 {
+                let slot = Slot(first + element);
+                let value = self.reset_value(slot);
+                self.set(slot, value);
+            }
+        }
+        for field in effect.resets_fields {
+            let at = self.field_at(*field);
+            let value = self.reset_value(at.slot) >> at.lsb;
+            self.set_field(at, value);
+        }
+        for (target, origin) in effect.loads {
+            let value = self.field(self.field_at(*origin));
+            self.set_field(self.field_at(*target), value);
+        }
+        for (field, value) in effect.sets {
+            self.set_field(self.field_at(*field), *value);
+        }
+    }
+}
