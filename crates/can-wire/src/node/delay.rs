@@ -1,10 +1,7 @@
 //! Measuring the transmitter delay.
 
 use super::Node;
-use crate::{
-    DelayCompensation, DelaySource, Field, Time,
-    time::Fine,
-};
+use crate::{DelayCompensation, DelaySource, Field, Time, time::Fine};
 
 impl Node {
     /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, in whole clock periods.
@@ -28,17 +25,14 @@ impl Node {
     /// An edge came before the filter window was over. Where the input is still dominant when it is, the measurement
     /// ends there; a shorter dominant time was a glitch.
     pub(super) fn end_filter_window(&mut self, now: Time) {
-        let (Some(fell), Some(compensation)) = (self.measuring, self.config.delay_compensation)
-        else {
+        let (Some(fell), Some(compensation)) = (self.measuring, self.config.delay_compensation) else {
             return;
         };
         let DelaySource::Measured { filter } = compensation.delay else {
             return;
         };
         let passed = Fine::from_time(now).ticks_since(fell, self.clock.clock);
-        if core::mem::take(&mut self.early_edge)
-            && compensation.secondary_sample_point(passed) >= u64::from(filter)
-        {
+        if core::mem::take(&mut self.early_edge) && compensation.secondary_sample_point(passed) >= u64::from(filter) {
             self.measuring = None;
             let delay = i64::from(filter) - i64::from(compensation.offset);
             self.delay = Some(delay.max(0) as u64);
@@ -51,10 +45,7 @@ impl Node {
             && self.protocol.incoming.fd
             && matches!(
                 self.config.delay_compensation,
-                Some(DelayCompensation {
-                    delay: DelaySource::Measured { .. },
-                    ..
-                })
+                Some(DelayCompensation { delay: DelaySource::Measured { .. }, .. })
             )
     }
 }
