@@ -70,8 +70,14 @@ fn order_on_the_bus(configs: NodeConfig, rivals: &[Frame], fast: bool) -> (Vec<F
     (order, lost, received)
 }
 
+/// The same cases in every run, unless `PROPTEST_RNG_SEED` gives another seed: what failed once fails again.
+fn repeatable() -> ProptestConfig {
+    let seed = std::env::var("PROPTEST_RNG_SEED").ok().and_then(|seed| seed.parse().ok());
+    ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(seed.unwrap_or(1)), ..ProptestConfig::default() }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..repeatable() })]
 
     #[test]
     fn the_lowest_wins_and_losers_retry(seed in any::<u64>(), count in 2usize..9, delayed in any::<bool>()) {

@@ -199,8 +199,14 @@ fn compare(seed: u64, trace: bool) -> (u64, u64) {
     (skipped, undone)
 }
 
+/// The same cases in every run, unless `PROPTEST_RNG_SEED` gives another seed: what failed once fails again.
+fn repeatable() -> ProptestConfig {
+    let seed = std::env::var("PROPTEST_RNG_SEED").ok().and_then(|seed| seed.parse().ok());
+    ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(seed.unwrap_or(1)), ..ProptestConfig::default() }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1_000, failure_persistence: None, ..repeatable() })]
 
     #[test]
     fn random_runs_are_the_same(seed in any::<u64>(), trace in any::<bool>()) {
