@@ -82,7 +82,6 @@ impl regbus::Writable for TxObjectT0 {}
 impl<B: Bus> regbus::Modify<B> for TxObjectT0 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `T1` of a Transmit Message Object, at byte 0x2.
 ///
@@ -147,7 +146,6 @@ impl regbus::Writable for TxObjectT1 {}
 impl<B: Bus> regbus::Modify<B> for TxObjectT1 {
     const KEEP: u32 = 0x3fff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `T2` of a Transmit Message Object, at byte 0x4.
 ///
@@ -293,7 +291,6 @@ impl regbus::Writable for TxObjectT2 {}
 impl<B: Bus> regbus::Modify<B> for TxObjectT2 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `T3` of a Transmit Message Object, at byte 0x6.
 ///
@@ -325,7 +322,6 @@ impl regbus::Writable for TxObjectT3 {}
 impl<B: Bus> regbus::Modify<B> for TxObjectT3 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Transmit Message Object.
 ///
@@ -701,7 +697,6 @@ impl regbus::Writable for RxObjectR2 {}
 impl<B: Bus> regbus::Modify<B> for RxObjectR2 {
     const KEEP: u32 = 0xf9ff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `R3` of a Receive Message Object, at byte 0x6.
 ///
@@ -719,7 +714,6 @@ impl regbus::Writable for RxObjectR3 {}
 impl<B: Bus> regbus::Modify<B> for RxObjectR3 {
     const KEEP: u32 = 0x0000;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Receive Message Object.
 ///
@@ -949,7 +943,6 @@ impl regbus::Writable for RxObjectTsR4 {}
 impl<B: Bus> regbus::Modify<B> for RxObjectTsR4 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `R5` of a Receive Message Object with Timestamp, at byte 0xa.
 ///
@@ -985,7 +978,6 @@ impl regbus::Writable for RxObjectTsR5 {}
 impl<B: Bus> regbus::Modify<B> for RxObjectTsR5 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Receive Message Object with Timestamp.
 ///
@@ -1388,7 +1380,6 @@ impl regbus::Writable for TefObjectTe2 {}
 impl<B: Bus> regbus::Modify<B> for TefObjectTe2 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Transmit Event FIFO Object.
 ///
@@ -1647,7 +1638,6 @@ impl regbus::Writable for TefObjectTsTe4 {}
 impl<B: Bus> regbus::Modify<B> for TefObjectTsTe4 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `TE5` of a Transmit Event FIFO Object with Timestamp, at byte 0xa.
 ///
@@ -1685,7 +1675,6 @@ impl regbus::Writable for TefObjectTsTe5 {}
 impl<B: Bus> regbus::Modify<B> for TefObjectTsTe5 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Transmit Event FIFO Object with Timestamp.
 ///

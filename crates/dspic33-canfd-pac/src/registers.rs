@@ -221,7 +221,6 @@ impl regbus::Writable for ConL {}
 impl<B: regbus::Bus> regbus::Modify<B> for ConL {
     const KEEP: u32 = 0xb7ff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Control Register High.
 ///
@@ -421,7 +420,6 @@ impl regbus::Writable for ConH {}
 impl<B: regbus::Bus> regbus::Modify<B> for ConH {
     const KEEP: u32 = 0xf71f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Nominal Bit Time Configuration Register Low.
 ///
@@ -511,7 +509,6 @@ impl regbus::Writable for NbtcfgL {}
 impl<B: regbus::Bus> regbus::Modify<B> for NbtcfgL {
     const KEEP: u32 = 0x7f7f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Nominal Bit Time Configuration Register High.
 ///
@@ -590,7 +587,6 @@ impl regbus::Writable for NbtcfgH {}
 impl<B: regbus::Bus> regbus::Modify<B> for NbtcfgH {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Data Bit Time Configuration Register Low.
 ///
@@ -680,7 +676,6 @@ impl regbus::Writable for DbtcfgL {}
 impl<B: regbus::Bus> regbus::Modify<B> for DbtcfgL {
     const KEEP: u32 = 0x0f0f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Data Bit Time Configuration Register High.
 ///
@@ -756,7 +751,6 @@ impl regbus::Writable for DbtcfgH {}
 impl<B: regbus::Bus> regbus::Modify<B> for DbtcfgH {
     const KEEP: u32 = 0xff1f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmitter Delay Compensation Register Low.
 ///
@@ -843,7 +837,6 @@ impl regbus::Writable for TdcL {}
 impl<B: regbus::Bus> regbus::Modify<B> for TdcL {
     const KEEP: u32 = 0x7f3f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmitter Delay Compensation Register High.
 ///
@@ -930,7 +923,6 @@ impl regbus::Writable for TdcH {}
 impl<B: regbus::Bus> regbus::Modify<B> for TdcH {
     const KEEP: u32 = 0x0303;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Time Base Counter Register Low.
 ///
@@ -984,7 +976,6 @@ impl regbus::Writable for TbcL {}
 impl<B: regbus::Bus + crate::guards::TbcLHasNoModify> regbus::Modify<B> for TbcL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Time Base Counter Register High.
 ///
@@ -1034,7 +1025,6 @@ impl regbus::Writable for TbcH {}
 impl<B: regbus::Bus + crate::guards::TbcHHasNoModify> regbus::Modify<B> for TbcH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Timestamp Control Register Low.
 ///
@@ -1096,7 +1086,6 @@ impl regbus::Writable for TsconL {}
 impl<B: regbus::Bus> regbus::Modify<B> for TsconL {
     const KEEP: u32 = 0x03ff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Timestamp Control Register High.
 ///
@@ -1180,7 +1169,6 @@ impl regbus::Writable for TsconH {}
 impl<B: regbus::Bus> regbus::Modify<B> for TsconH {
     const KEEP: u32 = 0x0007;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Interrupt Code Register Low.
 ///
@@ -1232,7 +1220,6 @@ impl regbus::Pure for VecL {}
 impl<B: regbus::Bus + crate::guards::VecLHasNoModify> regbus::Modify<B> for VecL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Interrupt Code Register High.
 ///
@@ -1287,7 +1274,6 @@ impl regbus::Pure for VecH {}
 impl<B: regbus::Bus + crate::guards::VecHHasNoModify> regbus::Modify<B> for VecH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Interrupt Register Low.
 ///
@@ -1449,7 +1435,6 @@ impl regbus::Writable for IntL {}
 impl<B: regbus::Bus + crate::guards::IntLHasNoModify> regbus::Modify<B> for IntL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for IntL {
     const FLAGS: u32 = 0xf00c;
@@ -1662,7 +1647,6 @@ impl regbus::Writable for IntH {}
 impl<B: regbus::Bus> regbus::Modify<B> for IntH {
     const KEEP: u32 = 0xfc1f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive Interrupt Status Register Low.
 ///
@@ -1726,7 +1710,6 @@ impl regbus::Pure for RxifL {}
 impl<B: regbus::Bus + crate::guards::RxifLHasNoModify> regbus::Modify<B> for RxifL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive Interrupt Status Register High.
 ///
@@ -1787,7 +1770,6 @@ impl regbus::Pure for RxifH {}
 impl<B: regbus::Bus + crate::guards::RxifHHasNoModify> regbus::Modify<B> for RxifH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive Overflow Interrupt Status Register Low.
 ///
@@ -1851,7 +1833,6 @@ impl regbus::Pure for RxovifL {}
 impl<B: regbus::Bus + crate::guards::RxovifLHasNoModify> regbus::Modify<B> for RxovifL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive Overflow Interrupt Status Register High.
 ///
@@ -1912,7 +1893,6 @@ impl regbus::Pure for RxovifH {}
 impl<B: regbus::Bus + crate::guards::RxovifHHasNoModify> regbus::Modify<B> for RxovifH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Interrupt Status Register Low.
 ///
@@ -1977,7 +1957,6 @@ impl regbus::Pure for TxifL {}
 impl<B: regbus::Bus + crate::guards::TxifLHasNoModify> regbus::Modify<B> for TxifL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Interrupt Status Register High.
 ///
@@ -2038,7 +2017,6 @@ impl regbus::Pure for TxifH {}
 impl<B: regbus::Bus + crate::guards::TxifHHasNoModify> regbus::Modify<B> for TxifH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Attempt Interrupt Status Register Low.
 ///
@@ -2101,7 +2079,6 @@ impl regbus::Pure for TxatifL {}
 impl<B: regbus::Bus + crate::guards::TxatifLHasNoModify> regbus::Modify<B> for TxatifL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Attempt Interrupt Status Register High.
 ///
@@ -2162,7 +2139,6 @@ impl regbus::Pure for TxatifH {}
 impl<B: regbus::Bus + crate::guards::TxatifHHasNoModify> regbus::Modify<B> for TxatifH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Request Register Low.
 ///
@@ -2270,7 +2246,6 @@ impl regbus::Writable for TxreqL {}
 impl<B: regbus::Bus + crate::guards::TxreqLHasNoModify> regbus::Modify<B> for TxreqL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Request for TxreqL {
     const REQUESTS: u32 = 0xffff;
@@ -2361,7 +2336,6 @@ impl regbus::Writable for TxreqH {}
 impl<B: regbus::Bus + crate::guards::TxreqHHasNoModify> regbus::Modify<B> for TxreqH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Request for TxreqH {
     const REQUESTS: u32 = 0xffff;
@@ -2439,7 +2413,6 @@ impl regbus::UnsafeWritable for FifobaL {}
 impl<B: regbus::Bus> regbus::Modify<B> for FifobaL {
     const KEEP: u32 = 0xfffc;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = true;
 }
 /// CAN Message Memory Base Address Register High.
 ///
@@ -2491,7 +2464,6 @@ impl regbus::UnsafeWritable for FifobaH {}
 impl<B: regbus::Bus> regbus::Modify<B> for FifobaH {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = true;
 }
 /// CAN Transmit Queue Control Register Low.
 ///
@@ -2645,7 +2617,6 @@ impl regbus::Writable for TxqconL {}
 impl<B: regbus::Bus + crate::guards::TxqconLHasNoModify> regbus::Modify<B> for TxqconL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Queue Control Register High.
 ///
@@ -2763,7 +2734,6 @@ impl regbus::Writable for TxqconH {}
 impl<B: regbus::Bus> regbus::Modify<B> for TxqconH {
     const KEEP: u32 = 0xff7f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Queue Status Register.
 ///
@@ -2867,7 +2837,6 @@ impl regbus::Writable for Txqsta {}
 impl<B: regbus::Bus + crate::guards::TxqstaHasNoModify> regbus::Modify<B> for Txqsta {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Txqsta {
     const FLAGS: u32 = 0x0010;
@@ -3020,7 +2989,6 @@ impl regbus::Writable for TefconL {}
 impl<B: regbus::Bus> regbus::Modify<B> for TefconL {
     const KEEP: u32 = 0x002f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Event FIFO Control Register High.
 ///
@@ -3075,7 +3043,6 @@ impl regbus::Writable for TefconH {}
 impl<B: regbus::Bus> regbus::Modify<B> for TefconH {
     const KEEP: u32 = 0x1f00;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Event FIFO Status Register.
 ///
@@ -3149,7 +3116,6 @@ impl regbus::Writable for Tefsta {}
 impl<B: regbus::Bus + crate::guards::TefstaHasNoModify> regbus::Modify<B> for Tefsta {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Tefsta {
     const FLAGS: u32 = 0x0008;
@@ -3193,7 +3159,6 @@ impl regbus::Pure for TefuaL {}
 impl<B: regbus::Bus + crate::guards::TefuaLHasNoModify> regbus::Modify<B> for TefuaL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Event FIFO User Address Register High.
 ///
@@ -3232,7 +3197,6 @@ impl regbus::Pure for TefuaH {}
 impl<B: regbus::Bus + crate::guards::TefuaHHasNoModify> regbus::Modify<B> for TefuaH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Queue User Address Register Low.
 ///
@@ -3269,7 +3233,6 @@ impl regbus::Pure for TxquaL {}
 impl<B: regbus::Bus + crate::guards::TxquaLHasNoModify> regbus::Modify<B> for TxquaL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Queue User Address Register High.
 ///
@@ -3306,7 +3269,6 @@ impl regbus::Pure for TxquaH {}
 impl<B: regbus::Bus + crate::guards::TxquaHHasNoModify> regbus::Modify<B> for TxquaH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit/Receive Error Count Register Low.
 ///
@@ -3353,7 +3315,6 @@ impl regbus::Pure for TrecL {}
 impl<B: regbus::Bus + crate::guards::TrecLHasNoModify> regbus::Modify<B> for TrecL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit/Receive Error Count Register High.
 ///
@@ -3446,7 +3407,6 @@ impl regbus::Pure for TrecH {}
 impl<B: regbus::Bus + crate::guards::TrecHHasNoModify> regbus::Modify<B> for TrecH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Bus Diagnostics Register 0 Low.
 ///
@@ -3510,7 +3470,6 @@ impl regbus::Writable for Bdiag0L {}
 impl<B: regbus::Bus + crate::guards::Bdiag0LHasNoModify> regbus::Modify<B> for Bdiag0L {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Bus Diagnostics Register 0 High.
 ///
@@ -3572,7 +3531,6 @@ impl regbus::Writable for Bdiag0H {}
 impl<B: regbus::Bus + crate::guards::Bdiag0HHasNoModify> regbus::Modify<B> for Bdiag0H {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Bus Diagnostics Register 1 Low.
 ///
@@ -3618,7 +3576,6 @@ impl regbus::Writable for Bdiag1L {}
 impl<B: regbus::Bus + crate::guards::Bdiag1LHasNoModify> regbus::Modify<B> for Bdiag1L {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Bus Diagnostics Register 1 High.
 ///
@@ -3900,7 +3857,6 @@ impl regbus::Writable for Bdiag1H {}
 impl<B: regbus::Bus + crate::guards::Bdiag1HHasNoModify> regbus::Modify<B> for Bdiag1H {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Filter Control Registers.
 ///
@@ -4025,7 +3981,6 @@ impl regbus::Writable for FltCon {}
 impl<B: regbus::Bus> regbus::Modify<B> for FltCon {
     const KEEP: u32 = 0x9f9f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Clock Control Register.
 ///
@@ -4127,7 +4082,6 @@ impl regbus::Writable for Canclkcon {}
 impl<B: regbus::Bus> regbus::Modify<B> for Canclkcon {
     const KEEP: u32 = 0x8f7f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN FIFO Control Register Low.
 ///
@@ -4368,7 +4322,6 @@ impl<B: regbus::Bus + crate::guards::FifoConLHasNoModify> regbus::Modify<B>
 for FifoConL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN FIFO Control Register High.
 ///
@@ -4486,7 +4439,6 @@ impl regbus::Writable for FifoConH {}
 impl<B: regbus::Bus> regbus::Modify<B> for FifoConH {
     const KEEP: u32 = 0xff7f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN FIFO Status Register.
 ///
@@ -4627,7 +4579,6 @@ impl regbus::Writable for FifoSta {}
 impl<B: regbus::Bus + crate::guards::FifoStaHasNoModify> regbus::Modify<B> for FifoSta {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for FifoSta {
     const FLAGS: u32 = 0x0018;
@@ -4671,7 +4622,6 @@ impl regbus::Pure for FifoUaL {}
 impl<B: regbus::Bus + crate::guards::FifoUaLHasNoModify> regbus::Modify<B> for FifoUaL {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN FIFO User Address Register High.
 ///
@@ -4710,7 +4660,6 @@ impl regbus::Pure for FifoUaH {}
 impl<B: regbus::Bus + crate::guards::FifoUaHHasNoModify> regbus::Modify<B> for FifoUaH {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Filter Object Register Low.
 ///
@@ -4796,7 +4745,6 @@ impl regbus::Writable for FltObjL {}
 impl<B: regbus::Bus> regbus::Modify<B> for FltObjL {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Filter Object Register High.
 ///
@@ -4895,7 +4843,6 @@ impl regbus::Writable for FltObjH {}
 impl<B: regbus::Bus> regbus::Modify<B> for FltObjH {
     const KEEP: u32 = 0x7fff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Mask Register Low.
 ///
@@ -4983,7 +4930,6 @@ impl regbus::Writable for MaskL {}
 impl<B: regbus::Bus> regbus::Modify<B> for MaskL {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Mask Register High.
 ///
@@ -5080,5 +5026,4 @@ impl regbus::Writable for MaskH {}
 impl<B: regbus::Bus> regbus::Modify<B> for MaskH {
     const KEEP: u32 = 0x7fff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }

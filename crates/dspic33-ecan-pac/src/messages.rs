@@ -85,7 +85,6 @@ impl regbus::Writable for TxBufferWord0 {}
 impl<B: Bus> regbus::Modify<B> for TxBufferWord0 {
     const KEEP: u32 = 0x1fff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `WORD1` of a Message buffer, as software writes it for transmission, at byte 0x2.
 ///
@@ -135,7 +134,6 @@ impl regbus::Writable for TxBufferWord1 {}
 impl<B: Bus> regbus::Modify<B> for TxBufferWord1 {
     const KEEP: u32 = 0x0fff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `WORD2` of a Message buffer, as software writes it for transmission, at byte 0x4.
 ///
@@ -269,7 +267,6 @@ impl regbus::Writable for TxBufferWord2 {}
 impl<B: Bus> regbus::Modify<B> for TxBufferWord2 {
     const KEEP: u32 = 0xff1f;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `WORD7` of a Message buffer, as software writes it for transmission, at byte 0xe.
 ///
@@ -287,7 +284,6 @@ impl regbus::Writable for TxBufferWord7 {}
 impl<B: Bus> regbus::Modify<B> for TxBufferWord7 {
     const KEEP: u32 = 0x0000;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Message buffer, as software writes it for transmission.
 ///
@@ -514,7 +510,6 @@ impl regbus::Writable for RxBufferWord0 {}
 impl<B: Bus> regbus::Modify<B> for RxBufferWord0 {
     const KEEP: u32 = 0x1fff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `WORD2` of a Message buffer, as the module writes it on reception, at byte 0x4.
 ///
@@ -640,7 +635,6 @@ impl regbus::Writable for RxBufferWord2 {}
 impl<B: Bus> regbus::Modify<B> for RxBufferWord2 {
     const KEEP: u32 = 0xff1f;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `WORD7` of a Message buffer, as the module writes it on reception, at byte 0xe.
 ///
@@ -679,7 +673,6 @@ impl regbus::Writable for RxBufferWord7 {}
 impl<B: Bus> regbus::Modify<B> for RxBufferWord7 {
     const KEEP: u32 = 0x1f00;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Message buffer, as the module writes it on reception.
 ///

@@ -144,7 +144,6 @@ impl regbus::Writable for Ctrl1 {}
 impl<B: regbus::Bus> regbus::Modify<B> for Ctrl1 {
     const KEEP: u32 = 0x2709;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Control Register 2.
 ///
@@ -197,7 +196,6 @@ impl regbus::Writable for Ctrl2 {}
 impl<B: regbus::Bus> regbus::Modify<B> for Ctrl2 {
     const KEEP: u32 = 0x001f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Interrupt Code Register.
 ///
@@ -260,7 +258,6 @@ impl regbus::Pure for Vec {}
 impl<B: regbus::Bus + crate::guards::VecHasNoModify> regbus::Modify<B> for Vec {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN FIFO Control Register.
 ///
@@ -352,7 +349,6 @@ impl regbus::UnsafeWritable for Fctrl {}
 impl<B: regbus::Bus> regbus::Modify<B> for Fctrl {
     const KEEP: u32 = 0xe01f;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = true;
 }
 /// CAN FIFO Status Register.
 ///
@@ -411,7 +407,6 @@ impl regbus::Pure for Fifo {}
 impl<B: regbus::Bus + crate::guards::FifoHasNoModify> regbus::Modify<B> for Fifo {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Interrupt Flag Register.
 ///
@@ -617,7 +612,6 @@ impl regbus::Writable for Intf {}
 impl<B: regbus::Bus + crate::guards::IntfHasNoModify> regbus::Modify<B> for Intf {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Intf {
     const FLAGS: u32 = 0x00ef;
@@ -764,7 +758,6 @@ impl regbus::Writable for Inte {}
 impl<B: regbus::Bus> regbus::Modify<B> for Inte {
     const KEEP: u32 = 0x00ef;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit/Receive Error Count Register.
 ///
@@ -807,7 +800,6 @@ impl regbus::Pure for Ec {}
 impl<B: regbus::Bus + crate::guards::EcHasNoModify> regbus::Modify<B> for Ec {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Baud Rate Configuration Register 1.
 ///
@@ -906,7 +898,6 @@ impl regbus::Writable for Cfg1 {}
 impl<B: regbus::Bus> regbus::Modify<B> for Cfg1 {
     const KEEP: u32 = 0x00ff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Baud Rate Configuration Register 2.
 ///
@@ -1091,7 +1082,6 @@ impl regbus::Writable for Cfg2 {}
 impl<B: regbus::Bus> regbus::Modify<B> for Cfg2 {
     const KEEP: u32 = 0x47ff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Acceptance Filter Enable Register.
 ///
@@ -1172,7 +1162,6 @@ impl regbus::Writable for Fen1 {}
 impl<B: regbus::Bus> regbus::Modify<B> for Fen1 {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Filter Mask Selection Register.
 ///
@@ -1242,7 +1231,6 @@ impl regbus::Writable for FmskSel {}
 impl<B: regbus::Bus> regbus::Modify<B> for FmskSel {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive Buffer Full Register.
 ///
@@ -1314,7 +1302,6 @@ impl regbus::Writable for Rxful {}
 impl<B: regbus::Bus + crate::guards::RxfulHasNoModify> regbus::Modify<B> for Rxful {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Rxful {
     const FLAGS: u32 = 0xffff;
@@ -1391,7 +1378,6 @@ impl regbus::Writable for Rxovf {}
 impl<B: regbus::Bus + crate::guards::RxovfHasNoModify> regbus::Modify<B> for Rxovf {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Rxovf {
     const FLAGS: u32 = 0xffff;
@@ -1750,7 +1736,6 @@ impl regbus::Writable for TrCon {}
 impl<B: regbus::Bus + crate::guards::TrConHasNoModify> regbus::Modify<B> for TrCon {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive Data Register.
 ///
@@ -1796,7 +1781,6 @@ impl regbus::Writable for Rxd {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxd {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit Data Register.
 ///
@@ -1842,7 +1826,6 @@ impl regbus::Writable for Txd {}
 impl<B: regbus::Bus> regbus::Modify<B> for Txd {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Filter Buffer Pointer Register.
 ///
@@ -1921,7 +1904,6 @@ impl regbus::Writable for BufPnt {}
 impl<B: regbus::Bus> regbus::Modify<B> for BufPnt {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Acceptance Filter Mask Standard Identifier Register.
 ///
@@ -2025,7 +2007,6 @@ impl regbus::Writable for RxmSid {}
 impl<B: regbus::Bus> regbus::Modify<B> for RxmSid {
     const KEEP: u32 = 0xffeb;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Acceptance Filter Mask Extended Identifier Register.
 ///
@@ -2071,7 +2052,6 @@ impl regbus::Writable for RxmEid {}
 impl<B: regbus::Bus> regbus::Modify<B> for RxmEid {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Acceptance Filter Standard Identifier Register.
 ///
@@ -2173,7 +2153,6 @@ impl regbus::Writable for RxfSid {}
 impl<B: regbus::Bus> regbus::Modify<B> for RxfSid {
     const KEEP: u32 = 0xffeb;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }
 /// CAN Acceptance Filter Extended Identifier Register.
 ///
@@ -2219,5 +2198,4 @@ impl regbus::Writable for RxfEid {}
 impl<B: regbus::Bus> regbus::Modify<B> for RxfEid {
     const KEEP: u32 = 0xffff;
     const ONES: u32 = 0x0000;
-    const UNSAFE: bool = false;
 }

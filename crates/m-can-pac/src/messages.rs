@@ -100,7 +100,6 @@ impl regbus::Writable for RxBufferR0 {}
 impl<B: Bus> regbus::Modify<B> for RxBufferR0 {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `R1A` of a Rx Buffer and FIFO Element, at byte 0x4.
 ///
@@ -227,7 +226,6 @@ impl regbus::Writable for RxBufferR1a {}
 impl<B: Bus> regbus::Modify<B> for RxBufferR1a {
     const KEEP: u32 = 0xff3f_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `R1B` of a Rx Buffer and FIFO Element, at byte 0x4.
 ///
@@ -385,7 +383,6 @@ impl regbus::Writable for RxBufferR1b {}
 impl<B: Bus> regbus::Modify<B> for RxBufferR1b {
     const KEEP: u32 = 0xff3f_001f;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Rx Buffer and FIFO Element.
 ///
@@ -565,7 +562,6 @@ impl regbus::Writable for TxBufferT0 {}
 impl<B: Bus> regbus::Modify<B> for TxBufferT0 {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `T1` of a Tx Buffer Element, at byte 0x4.
 ///
@@ -689,7 +685,6 @@ impl regbus::Writable for TxBufferT1 {}
 impl<B: Bus> regbus::Modify<B> for TxBufferT1 {
     const KEEP: u32 = 0xffff_ff00;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Buffer Element.
 ///
@@ -907,7 +902,6 @@ impl regbus::Writable for TxEventE0 {}
 impl<B: Bus> regbus::Modify<B> for TxEventE0 {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `E1A` of a Tx Event FIFO Element, at byte 0x4.
 ///
@@ -1021,7 +1015,6 @@ impl regbus::Writable for TxEventE1a {}
 impl<B: Bus> regbus::Modify<B> for TxEventE1a {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `E1B` of a Tx Event FIFO Element, at byte 0x4.
 ///
@@ -1179,7 +1172,6 @@ impl regbus::Writable for TxEventE1b {}
 impl<B: Bus> regbus::Modify<B> for TxEventE1b {
     const KEEP: u32 = 0xffff_ff1f;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Event FIFO Element.
 ///
@@ -1415,7 +1407,6 @@ impl regbus::Writable for StandardFilterS0 {}
 impl<B: Bus> regbus::Modify<B> for StandardFilterS0 {
     const KEEP: u32 = 0xffff_87ff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `S0_RX_BUFFER` of a Standard Message ID Filter Element, at byte 0x0.
 ///
@@ -1590,7 +1581,6 @@ impl regbus::Writable for StandardFilterS0RxBuffer {}
 impl<B: Bus> regbus::Modify<B> for StandardFilterS0RxBuffer {
     const KEEP: u32 = 0xffff_87ff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Standard Message ID Filter Element.
 ///
@@ -1708,7 +1698,6 @@ impl regbus::Writable for ExtendedFilterF0 {}
 impl<B: Bus> regbus::Modify<B> for ExtendedFilterF0 {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `F1` of a Extended Message ID Filter Element, at byte 0x4.
 ///
@@ -1793,7 +1782,6 @@ impl regbus::Writable for ExtendedFilterF1 {}
 impl<B: Bus> regbus::Modify<B> for ExtendedFilterF1 {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `F1_RX_BUFFER` of a Extended Message ID Filter Element, at byte 0x4.
 ///
@@ -1924,7 +1912,6 @@ impl regbus::Writable for ExtendedFilterF1RxBuffer {}
 impl<B: Bus> regbus::Modify<B> for ExtendedFilterF1RxBuffer {
     const KEEP: u32 = 0xe000_07ff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Extended Message ID Filter Element.
 ///

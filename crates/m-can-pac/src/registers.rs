@@ -85,7 +85,6 @@ impl regbus::Pure for Crel {}
 impl<B: regbus::Bus + crate::guards::CrelHasNoModify> regbus::Modify<B> for Crel {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Endian Register.
 ///
@@ -122,7 +121,6 @@ impl regbus::Pure for Endn {}
 impl<B: regbus::Bus + crate::guards::EndnHasNoModify> regbus::Modify<B> for Endn {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Customer Register.
 ///
@@ -164,7 +162,6 @@ impl regbus::Writable for Cust {}
 impl<B: regbus::Bus> regbus::Modify<B> for Cust {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Data Bit Timing & Prescaler Register.
 ///
@@ -336,7 +333,6 @@ impl regbus::Writable for Dbtp {}
 impl<B: regbus::Bus> regbus::Modify<B> for Dbtp {
     const KEEP: u32 = 0x009f_1fff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Test Register.
 ///
@@ -466,7 +462,6 @@ impl regbus::Writable for Test {}
 impl<B: regbus::Bus> regbus::Modify<B> for Test {
     const KEEP: u32 = 0x0000_0070;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// RAM Watchdog.
 ///
@@ -530,7 +525,6 @@ impl regbus::Writable for Rwd {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rwd {
     const KEEP: u32 = 0x0000_00ff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// CC Control Register.
 ///
@@ -874,7 +868,6 @@ impl regbus::Writable for Cccr {}
 impl<B: regbus::Bus + crate::guards::CccrHasNoModify> regbus::Modify<B> for Cccr {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Nominal Bit Timing & Prescaler Register.
 ///
@@ -1033,7 +1026,6 @@ impl regbus::Writable for Nbtp {}
 impl<B: regbus::Bus> regbus::Modify<B> for Nbtp {
     const KEEP: u32 = 0xffff_ff7f;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Timestamp Counter Configuration.
 ///
@@ -1108,7 +1100,6 @@ impl regbus::Writable for Tscc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Tscc {
     const KEEP: u32 = 0x000f_0003;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Timestamp Counter Value.
 ///
@@ -1152,7 +1143,6 @@ impl regbus::Writable for Tscv {}
 impl<B: regbus::Bus + crate::guards::TscvHasNoModify> regbus::Modify<B> for Tscv {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Timeout Counter Configuration.
 ///
@@ -1234,7 +1224,6 @@ impl regbus::Writable for Tocc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Tocc {
     const KEEP: u32 = 0xffff_0007;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Timeout Counter Value.
 ///
@@ -1284,7 +1273,6 @@ impl regbus::Writable for Tocv {}
 impl<B: regbus::Bus + crate::guards::TocvHasNoModify> regbus::Modify<B> for Tocv {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Error Counter Register.
 ///
@@ -1352,7 +1340,6 @@ impl regbus::Readable for Ecr {}
 impl<B: regbus::Bus + crate::guards::EcrHasNoModify> regbus::Modify<B> for Ecr {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Protocol Status Register.
 ///
@@ -1520,7 +1507,6 @@ impl regbus::Readable for Psr {}
 impl<B: regbus::Bus + crate::guards::PsrHasNoModify> regbus::Modify<B> for Psr {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Transmitter Delay Compensation Register.
 ///
@@ -1606,7 +1592,6 @@ impl regbus::Writable for Tdcr {}
 impl<B: regbus::Bus> regbus::Modify<B> for Tdcr {
     const KEEP: u32 = 0x0000_7f7f;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Interrupt Register.
 ///
@@ -2012,7 +1997,6 @@ impl regbus::Writable for Ir {}
 impl<B: regbus::Bus + crate::guards::IrHasNoModify> regbus::Modify<B> for Ir {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Ir {
     const FLAGS: u32 = 0x3fff_ffff;
@@ -2529,7 +2513,6 @@ impl regbus::Writable for Ie {}
 impl<B: regbus::Bus> regbus::Modify<B> for Ie {
     const KEEP: u32 = 0x3fff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Interrupt Line Select.
 ///
@@ -3105,7 +3088,6 @@ impl regbus::Writable for Ils {}
 impl<B: regbus::Bus> regbus::Modify<B> for Ils {
     const KEEP: u32 = 0x3fff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Interrupt Line Enable.
 ///
@@ -3171,7 +3153,6 @@ impl regbus::Writable for Ile {}
 impl<B: regbus::Bus> regbus::Modify<B> for Ile {
     const KEEP: u32 = 0x0000_0003;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Global Filter Configuration.
 ///
@@ -3287,7 +3268,6 @@ impl regbus::Writable for Gfc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Gfc {
     const KEEP: u32 = 0x0000_003f;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Standard ID Filter Configuration.
 ///
@@ -3375,7 +3355,6 @@ impl regbus::UnsafeWritable for Sidfc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Sidfc {
     const KEEP: u32 = 0x00ff_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Extended ID Filter Configuration.
 ///
@@ -3476,7 +3455,6 @@ impl regbus::UnsafeWritable for Xidfc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Xidfc {
     const KEEP: u32 = 0x007f_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Extended ID AND Mask.
 ///
@@ -3540,7 +3518,6 @@ impl regbus::Writable for Xidam {}
 impl<B: regbus::Bus> regbus::Modify<B> for Xidam {
     const KEEP: u32 = 0x1fff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// High Priority Message Status.
 ///
@@ -3607,7 +3584,6 @@ impl regbus::Pure for Hpms {}
 impl<B: regbus::Bus + crate::guards::HpmsHasNoModify> regbus::Modify<B> for Hpms {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// New Data 1.
 ///
@@ -3675,7 +3651,6 @@ impl regbus::Writable for Ndat1 {}
 impl<B: regbus::Bus + crate::guards::Ndat1HasNoModify> regbus::Modify<B> for Ndat1 {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Ndat1 {
     const FLAGS: u32 = 0xffff_ffff;
@@ -3748,7 +3723,6 @@ impl regbus::Writable for Ndat2 {}
 impl<B: regbus::Bus + crate::guards::Ndat2HasNoModify> regbus::Modify<B> for Ndat2 {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Clear for Ndat2 {
     const FLAGS: u32 = 0xffff_ffff;
@@ -3897,7 +3871,6 @@ impl regbus::UnsafeWritable for Rxf0c {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxf0c {
     const KEEP: u32 = 0xff7f_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Rx FIFO 0 Status.
 ///
@@ -3974,7 +3947,6 @@ impl regbus::Pure for Rxf0s {}
 impl<B: regbus::Bus + crate::guards::Rxf0sHasNoModify> regbus::Modify<B> for Rxf0s {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Rx FIFO 0 Acknowledge.
 ///
@@ -4039,7 +4011,6 @@ impl regbus::Writable for Rxf0a {}
 impl<B: regbus::Bus + crate::guards::Rxf0aHasNoModify> regbus::Modify<B> for Rxf0a {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Rx Buffer Configuration.
 ///
@@ -4102,7 +4073,6 @@ impl regbus::UnsafeWritable for Rxbc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxbc {
     const KEEP: u32 = 0x0000_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Rx FIFO 1 Configuration.
 ///
@@ -4244,7 +4214,6 @@ impl regbus::UnsafeWritable for Rxf1c {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxf1c {
     const KEEP: u32 = 0xff7f_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Rx FIFO 1 Status.
 ///
@@ -4331,7 +4300,6 @@ impl regbus::Pure for Rxf1s {}
 impl<B: regbus::Bus + crate::guards::Rxf1sHasNoModify> regbus::Modify<B> for Rxf1s {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Rx FIFO 1 Acknowledge.
 ///
@@ -4396,7 +4364,6 @@ impl regbus::Writable for Rxf1a {}
 impl<B: regbus::Bus + crate::guards::Rxf1aHasNoModify> regbus::Modify<B> for Rxf1a {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Rx Buffer / FIFO Element Size Configuration.
 ///
@@ -4494,7 +4461,6 @@ impl regbus::UnsafeWritable for Rxesc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxesc {
     const KEEP: u32 = 0x0000_0777;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Tx Buffer Configuration.
 ///
@@ -4631,7 +4597,6 @@ impl regbus::UnsafeWritable for Txbc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Txbc {
     const KEEP: u32 = 0x7f3f_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Tx FIFO/Queue Status.
 ///
@@ -4702,7 +4667,6 @@ impl regbus::Pure for Txfqs {}
 impl<B: regbus::Bus + crate::guards::TxfqsHasNoModify> regbus::Modify<B> for Txfqs {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Buffer Element Size Configuration.
 ///
@@ -4760,7 +4724,6 @@ impl regbus::UnsafeWritable for Txesc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Txesc {
     const KEEP: u32 = 0x0000_0007;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Tx Buffer Request Pending.
 ///
@@ -4827,7 +4790,6 @@ impl regbus::Pure for Txbrp {}
 impl<B: regbus::Bus + crate::guards::TxbrpHasNoModify> regbus::Modify<B> for Txbrp {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Buffer Add Request.
 ///
@@ -4916,7 +4878,6 @@ impl regbus::Writable for Txbar {}
 impl<B: regbus::Bus + crate::guards::TxbarHasNoModify> regbus::Modify<B> for Txbar {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Request for Txbar {
     const REQUESTS: u32 = 0xffff_ffff;
@@ -5007,7 +4968,6 @@ impl regbus::Writable for Txbcr {}
 impl<B: regbus::Bus + crate::guards::TxbcrHasNoModify> regbus::Modify<B> for Txbcr {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::Request for Txbcr {
     const REQUESTS: u32 = 0xffff_ffff;
@@ -5074,7 +5034,6 @@ impl regbus::Pure for Txbto {}
 impl<B: regbus::Bus + crate::guards::TxbtoHasNoModify> regbus::Modify<B> for Txbto {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Buffer Cancellation Finished.
 ///
@@ -5139,7 +5098,6 @@ impl regbus::Pure for Txbcf {}
 impl<B: regbus::Bus + crate::guards::TxbcfHasNoModify> regbus::Modify<B> for Txbcf {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Buffer Transmission Interrupt Enable.
 ///
@@ -5222,7 +5180,6 @@ impl regbus::Writable for Txbtie {}
 impl<B: regbus::Bus> regbus::Modify<B> for Txbtie {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Tx Buffer Cancellation Finished Interrupt Enable.
 ///
@@ -5303,7 +5260,6 @@ impl regbus::Writable for Txbcie {}
 impl<B: regbus::Bus> regbus::Modify<B> for Txbcie {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 /// Tx Event FIFO Configuration.
 ///
@@ -5427,7 +5383,6 @@ impl regbus::UnsafeWritable for Txefc {}
 impl<B: regbus::Bus> regbus::Modify<B> for Txefc {
     const KEEP: u32 = 0x3f3f_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// Tx Event FIFO Status.
 ///
@@ -5506,7 +5461,6 @@ impl regbus::Pure for Txefs {}
 impl<B: regbus::Bus + crate::guards::TxefsHasNoModify> regbus::Modify<B> for Txefs {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Tx Event FIFO Acknowledge.
 ///
@@ -5569,5 +5523,4 @@ impl regbus::Writable for Txefa {}
 impl<B: regbus::Bus + crate::guards::TxefaHasNoModify> regbus::Modify<B> for Txefa {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }

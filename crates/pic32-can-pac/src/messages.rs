@@ -57,7 +57,6 @@ impl regbus::Writable for TxBufferCmsgsid {}
 impl<B: Bus> regbus::Modify<B> for TxBufferCmsgsid {
     const KEEP: u32 = 0x0000_07ff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `CMSGEID` of a Transmit message buffer, at byte 0x4.
 ///
@@ -209,7 +208,6 @@ impl regbus::Writable for TxBufferCmsgeid {}
 impl<B: Bus> regbus::Modify<B> for TxBufferCmsgeid {
     const KEEP: u32 = 0x3fff_ff1f;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Transmit message buffer.
 ///
@@ -404,7 +402,6 @@ impl regbus::Writable for RxBufferCmsgsid {}
 impl<B: Bus> regbus::Modify<B> for RxBufferCmsgsid {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Word `CMSGEID` of a Full receive message buffer, at byte 0x4.
 ///
@@ -548,7 +545,6 @@ impl regbus::Writable for RxBufferCmsgeid {}
 impl<B: Bus> regbus::Modify<B> for RxBufferCmsgeid {
     const KEEP: u32 = 0x3fff_ff1f;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// Full receive message buffer.
 ///

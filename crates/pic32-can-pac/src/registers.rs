@@ -187,7 +187,6 @@ impl regbus::Writable for Con {}
 impl<B: regbus::Bus> regbus::Modify<B> for Con {
     const KEEP: u32 = 0x0710_a01f;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for Con {
     const OFFSET: usize = 0x4;
@@ -437,7 +436,6 @@ impl regbus::Writable for Cfg {}
 impl<B: regbus::Bus> regbus::Modify<B> for Cfg {
     const KEEP: u32 = 0x0047_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for Cfg {
     const OFFSET: usize = 0x4;
@@ -742,7 +740,6 @@ impl regbus::Writable for Int {}
 impl<B: regbus::Bus> regbus::Modify<B> for Int {
     const KEEP: u32 = 0xf80f_0000;
     const ONES: u32 = 0x0000_e00c;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for Int {
     const OFFSET: usize = 0x4;
@@ -805,7 +802,6 @@ impl regbus::Pure for Vec {}
 impl<B: regbus::Bus + crate::guards::VecHasNoModify> regbus::Modify<B> for Vec {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Transmit/Receive Error Count Register.
 ///
@@ -916,7 +912,6 @@ impl regbus::Pure for Trec {}
 impl<B: regbus::Bus + crate::guards::TrecHasNoModify> regbus::Modify<B> for Trec {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN FIFO Status Register.
 ///
@@ -975,7 +970,6 @@ impl regbus::Pure for Fstat {}
 impl<B: regbus::Bus + crate::guards::FstatHasNoModify> regbus::Modify<B> for Fstat {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Receive FIFO Overflow Status Register.
 ///
@@ -1038,7 +1032,6 @@ impl regbus::Pure for Rxovf {}
 impl<B: regbus::Bus + crate::guards::RxovfHasNoModify> regbus::Modify<B> for Rxovf {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Timer Register.
 ///
@@ -1110,7 +1103,6 @@ impl regbus::Writable for Tmr {}
 impl<B: regbus::Bus + crate::guards::TmrHasNoModify> regbus::Modify<B> for Tmr {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for Tmr {
     const OFFSET: usize = 0x4;
@@ -1229,7 +1221,6 @@ impl regbus::Writable for Rxm {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxm {
     const KEEP: u32 = 0xffeb_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for Rxm {
     const OFFSET: usize = 0x4;
@@ -1422,7 +1413,6 @@ impl regbus::Writable for FltCon {}
 impl<B: regbus::Bus> regbus::Modify<B> for FltCon {
     const KEEP: u32 = 0xffff_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for FltCon {
     const OFFSET: usize = 0x4;
@@ -1545,7 +1535,6 @@ impl regbus::Writable for Rxf {}
 impl<B: regbus::Bus> regbus::Modify<B> for Rxf {
     const KEEP: u32 = 0xffeb_ffff;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for Rxf {
     const OFFSET: usize = 0x4;
@@ -1630,7 +1619,6 @@ impl regbus::UnsafeWritable for FifoBa {}
 impl<B: regbus::Bus> regbus::Modify<B> for FifoBa {
     const KEEP: u32 = 0xffff_fffc;
     const ONES: u32 = 0x0000_0000;
-    const UNSAFE: bool = true;
 }
 /// CAN FIFO Control Register.
 ///
@@ -1892,7 +1880,6 @@ impl regbus::Writable for FifoCon {}
 impl<B: regbus::Bus + crate::guards::FifoConHasNoModify> regbus::Modify<B> for FifoCon {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for FifoCon {
     const OFFSET: usize = 0x4;
@@ -2145,7 +2132,6 @@ impl regbus::Writable for FifoInt {}
 impl<B: regbus::Bus> regbus::Modify<B> for FifoInt {
     const KEEP: u32 = 0x070f_0000;
     const ONES: u32 = 0x0000_0008;
-    const UNSAFE: bool = false;
 }
 impl regbus::AliasClear for FifoInt {
     const OFFSET: usize = 0x4;
@@ -2203,7 +2189,6 @@ impl regbus::Pure for FifoUa {}
 impl<B: regbus::Bus + crate::guards::FifoUaHasNoModify> regbus::Modify<B> for FifoUa {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }
 /// CAN Module Message Index Register.
 ///
@@ -2240,5 +2225,4 @@ impl regbus::Pure for FifoCi {}
 impl<B: regbus::Bus + crate::guards::FifoCiHasNoModify> regbus::Modify<B> for FifoCi {
     const KEEP: u32 = 0;
     const ONES: u32 = 0;
-    const UNSAFE: bool = false;
 }

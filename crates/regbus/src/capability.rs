@@ -63,8 +63,6 @@ pub trait Modify<B: Bus>: Register {
     const KEEP: u32;
     /// Flags whose neutral value is 1.
     const ONES: u32;
-    /// A write needs `unsafe`.
-    const UNSAFE: bool;
 }
 
 /// The register's flags can be cleared by one store.

@@ -59,7 +59,6 @@ fn word_value(model: &Model, message: &Message, word: &Word) -> TokenStream {
         impl<B: Bus> regbus::Modify<B> for #name {
             const KEEP: u32 = #keep;
             const ONES: u32 = 0;
-            const UNSAFE: bool = false;
         }
     }
 }

@@ -206,12 +206,10 @@ fn capabilities(model: &Model, register: &Register) -> TokenStream {
     match &caps.modify {
         Ok(()) => {
             let (keep, ones) = keep_and_ones(register);
-            let hazardous = register.unsafe_write.is_some();
             out.extend(quote! {
                 impl<B: regbus::Bus> regbus::Modify<B> for #name {
                     const KEEP: u32 = #keep;
                     const ONES: u32 = #ones;
-                    const UNSAFE: bool = #hazardous;
                 }
             });
         }
@@ -221,7 +219,6 @@ fn capabilities(model: &Model, register: &Register) -> TokenStream {
                 impl<B: regbus::Bus + crate::guards::#guard> regbus::Modify<B> for #name {
                     const KEEP: u32 = 0;
                     const ONES: u32 = 0;
-                    const UNSAFE: bool = false;
                 }
             });
         }
