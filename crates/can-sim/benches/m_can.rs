@@ -2,14 +2,14 @@
 //!
 //! `cargo bench -p can-sim`; one item is one frame: written to a Tx FIFO, requested, sent, filtered, stored, read from an
 //! Rx FIFO and acknowledged. The bus runs at 1 Mbit/s, and at 5 Mbit/s in the data phase of the FD frames.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, dead_code, reason = "the bench of the tests, of which this uses a part")]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/m_can/bench.rs"]
+mod bench;
 
+use bench::{Can, FD, SETUP, Setup, add, frame};
 use can_frame::Frame;
 use can_sim::{Sim, Time};
-use common::{Can, FD, SETUP, Setup, add, frame};
 use divan::{Bencher, counter::ItemsCount};
 use m_can_pac::registers::Ir;
 
@@ -80,8 +80,8 @@ fn classic_8_bytes(bencher: Bencher<'_, '_>, path: Path) {
 #[divan::bench(args = [Path::Fast, Path::BitByBit])]
 fn fd_64_bytes(bencher: Bencher<'_, '_>, path: Path) {
     let data: Vec<u8> = (0..64).collect();
-    let id = common::StandardId::new(0x123).unwrap();
-    run(bencher, path, &Frame::fd(id, &data, common::FdFlags { brs: true, esi: false }).unwrap());
+    let id = bench::StandardId::new(0x123).unwrap();
+    run(bencher, path, &Frame::fd(id, &data, bench::FdFlags { brs: true, esi: false }).unwrap());
 }
 
 /// Register accesses alone: a status register of a controller that is idle.

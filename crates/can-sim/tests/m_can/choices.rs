@@ -1,15 +1,12 @@
 //! Where the manual is silent: each choice that can be changed, both ways; and where sections of Message RAM lie.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::bench::{Can, FD, FRAME, SETUP, Setup, add_with, choices, frame};
 use can_sim::{
     PeerId, Sim, Time,
     m_can::{Choices, MCanConfig},
     registers::UnknownReset,
 };
 use can_wire::{BitFault, ErrorState, Fault, Field, Frames, NodeConfig, Position};
-use common::{Can, FD, FRAME, SETUP, Setup, add_with, choices, frame};
 use m_can_pac::registers::{self as pac, Ir};
 use regbus::Bus;
 

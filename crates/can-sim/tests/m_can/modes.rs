@@ -1,11 +1,8 @@
 //! Operating modes, bit timing and test modes: sections 2.3.4 to 2.3.8, 3.1 of the manual.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::bench::{Can, FD, FRAME, SETUP, Setup, add, add_with, frame};
 use can_sim::{Sim, Time};
 use can_wire::{BitFault, Fault, Field, Frames, NodeConfig, Position};
-use common::{Can, FD, FRAME, SETUP, Setup, add, add_with, frame};
 use m_can_pac::{
     enums::{Activity, LastErrorCode, TestRx, TestTx},
     registers::{self as pac, Ir},
@@ -42,7 +39,7 @@ fn section_3_1_1_software_initialization() {
     assert_eq!(regs.cccr().read().bits(), 1, "CCE is not set together with INIT");
     regs.cccr().write(pac::Cccr::INIT | pac::Cccr::CCE);
     assert_eq!(regs.cccr().read().bits(), 3);
-    regs.nbtp().write(common::NBTP);
+    regs.nbtp().write(crate::bench::NBTP);
     regs.cccr().write(pac::Cccr::ZERO);
     sim.run_for(Time::from_us(1));
     assert_eq!(regs.cccr().read().bits(), 0, "CCE falls with INIT");

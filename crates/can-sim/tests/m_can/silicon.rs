@@ -1,11 +1,8 @@
 //! Readings published from M_CAN 3.2.1 silicon.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::bench::{Can, FRAME, SETUP, Setup, add, frame};
 use can_sim::Sim;
 use can_wire::NodeConfig;
-use common::{Can, FRAME, SETUP, Setup, add, frame};
 use m_can_pac::registers::Ir;
 
 const THREE_BUFFER_FIFO: Setup = Setup { txbc: 3 << 24 | 0x14C0, ..SETUP };

@@ -1,12 +1,9 @@
 //! Reception: sections 2.3.20 to 2.3.34, 2.4.2, 2.4.5, 2.4.6, 3.4 and 3.6 of the manual.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::bench::{Can, FD, FRAME, SETUP, Setup, add, add_with, frame};
 use can_frame::Frame;
 use can_sim::{DiagnosticKind, PeerId, Sim};
 use can_wire::{BitFault, Fault, Field, Frames, NodeConfig, Position};
-use common::{Can, FD, FRAME, SETUP, Setup, add, add_with, frame};
 use m_can_pac::{
     enums::HpmsMsi,
     registers::{self as pac, Ir},

@@ -1,5 +1,4 @@
 //! A bench of M_CANs with a worked configuration, driven through the register crate only.
-#![allow(dead_code, clippy::unwrap_used, reason = "shared by test binaries that use parts of it")]
 
 use can_frame::Frame;
 use can_sim::{

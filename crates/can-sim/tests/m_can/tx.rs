@@ -1,12 +1,9 @@
 //! Transmission: sections 2.3.35 to 2.3.47, 2.4.3, 2.4.4, 3.1.3, 3.1.7 and 3.5 of the manual.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::bench::{Can, FD, FRAME, SETUP, Setup, add, add_with, choices, frame};
 use can_frame::Frame;
 use can_sim::{BusEntry, DiagnosticKind, PeerId, Sim, Time, m_can::RamFailure};
 use can_wire::{BitFault, Fault, Field, Frames, NodeConfig, Position};
-use common::{Can, FD, FRAME, SETUP, Setup, add, add_with, choices, frame};
 use m_can_pac::registers::{self as pac, Ir};
 
 struct Bench {
@@ -449,8 +446,10 @@ fn table_54_and_59_all_lengths() {
     for code in 0..16 {
         let dlc = can_frame::Dlc::new(code).unwrap();
         let data: Vec<u8> = (1..=64).collect();
-        for format in [common::Format::Data, common::Format::Fd(common::FdFlags { brs: true, esi: false })] {
-            let id = common::StandardId::new(u16::from(code)).unwrap();
+        for format in
+            [crate::bench::Format::Data, crate::bench::Format::Fd(crate::bench::FdFlags { brs: true, esi: false })]
+        {
+            let id = crate::bench::StandardId::new(u16::from(code)).unwrap();
             let frame = Frame::from_fields(id.into(), format, dlc, &data);
             b.can.send(&b.sim, 0, &frame);
             b.sim.run_for(FRAME);

@@ -1,13 +1,10 @@
 //! Bugs that drivers for M_CAN have really had, each as the driver would have it, and how it shows here.
-#![allow(clippy::unwrap_used)]
-
-mod common;
 
 use std::{cell::RefCell, rc::Rc};
 
+use crate::bench::{Can, FRAME, SETUP, Setup, add, frame};
 use can_sim::{DiagnosticKind, Memory, PeerId, Sim, m_can::MCanConfig};
 use can_wire::NodeConfig;
-use common::{Can, FRAME, SETUP, Setup, add, frame};
 use m_can_pac::registers::{self as pac, Ir};
 use regbus::Bus;
 

@@ -1,13 +1,10 @@
 //! Error and protocol status, timestamps, timeout and interrupts: sections 2.3.9 to 2.3.19, 3.2.1 and 3.3 of the manual.
-#![allow(clippy::unwrap_used)]
-
-mod common;
 
 use std::{cell::RefCell, rc::Rc};
 
+use crate::bench::{Can, FD, FRAME, SETUP, Setup, add, add_with, choices, frame};
 use can_sim::{Sim, Time, m_can::RamFailure};
 use can_wire::{BitFault, Fault, Field, Frames, NodeConfig, Position};
-use common::{Can, FD, FRAME, SETUP, Setup, add, add_with, choices, frame};
 use m_can_pac::{
     enums::{Activity, LastErrorCode},
     registers::{self as pac, Ir},

@@ -1,13 +1,10 @@
 //! Two M_CANs on one bus, 10,000 random frames each way, filtered, and drained through the register crate.
-#![allow(clippy::unwrap_used)]
-
-mod common;
 
 use std::collections::VecDeque;
 
+use crate::bench::{Can, ExtendedId, FD, FdFlags, Format, Id, SETUP, Setup, StandardId, add, frame};
 use can_frame::{Dlc, Frame};
 use can_sim::Sim;
-use common::{Can, ExtendedId, FD, FdFlags, Format, Id, SETUP, Setup, StandardId, add, frame};
 use m_can_pac::registers::Ir;
 use rand_chacha::{
     ChaCha8Rng,
@@ -161,12 +158,12 @@ fn a_queue_sends_by_priority() {
     let sim = Sim::new();
     let can = add(&sim, "can0").run(&sim, &Setup { txbc: 1 << 30 | 5 << 24 | 0x14C0, ..SETUP });
     let peer = sim.add_peer(can_wire::NodeConfig::new()).unwrap();
-    sim.run_for(common::FRAME);
+    sim.run_for(crate::bench::FRAME);
     for (buffer, text) in ["300#00", "100#01", "7FF#02", "00000100#03", "0FF#R"].iter().enumerate() {
         can.write(&sim, buffer as u32, &frame(text));
     }
     can.request(&sim, 0x1F);
-    sim.run_for(common::FRAME * 6);
+    sim.run_for(crate::bench::FRAME * 6);
     let order: Vec<String> = sim.peer_received(peer).iter().map(|(_, frame)| frame.to_string()).collect();
     assert_eq!(order, ["00000100#03", "0FF#R", "100#01", "300#00", "7FF#02"]);
 }

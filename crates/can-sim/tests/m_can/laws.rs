@@ -1,11 +1,8 @@
 //! Every register of the M_CAN model over the bus, as the description says: reset values, write masks, write conditions,
 //! clearing rules, read effects, reserved addresses.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-
+use crate::bench::{Can, add_with};
 use can_sim::{DiagnosticKind, Model, Sim, registers::Slot};
-use common::{Can, add_with};
 use m_can_pac::{meta::CONTROLLER, registers as pac};
 use regbus::{
     Bus,

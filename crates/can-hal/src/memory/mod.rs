@@ -1,0 +1,1 @@
+//! Plans of message memory: where each section lies, checked before the controller sees it.

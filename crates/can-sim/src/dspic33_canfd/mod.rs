@@ -1,0 +1,1 @@
+//! Microchip dsPIC33 CAN FD, chapter by chapter of its manual.

@@ -1,0 +1,1 @@
+//! Microchip dsPIC33F/PIC24H ECAN, chapter by chapter of its manual.

@@ -1,0 +1,1 @@
+//! Microchip PIC32MX CAN, chapter by chapter of its manual.
