@@ -1,4 +1,6 @@
 //! Bit timing (6.0, Registers 4-1 and 4-2).
+//!
+//! The wire samples once in a bit: CxCFG2.SAM is kept, and three samples (6.2) are not taken.
 
 use can_wire::{BitTiming, FdSupport, NodeConfig, RequestError};
 use dspic33_ecan_pac::{enums::Cfg2Seg2phts, meta::CONTROLLER, registers as pac};

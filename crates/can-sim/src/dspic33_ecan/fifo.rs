@@ -116,11 +116,12 @@ impl EcanModel {
         let in_fifo = |buffer: &u8| (start..=end).contains(buffer);
         let follows = |buffer: &u8| in_fifo(buffer) || self.config.choices.fnrb_follows_every_buffer;
         let buffers = (0..MAX_BUFFERS as u8).filter(|buffer| released >> buffer & 1 == 1);
-        let fifo: Vec<u8> = buffers.clone().filter(in_fifo).collect();
+        let taken = self.rx.taken_by_fifo & released;
+        self.rx.taken_by_fifo &= !released;
         // fnrb_several_released: the highest number counts.
         if let Some(last) = buffers.filter(follows).max() {
             let full = access.old << (16 * register) | self.full();
-            self.check_release_order(cx, &fifo, full);
+            self.check_release_order(cx, taken, full);
             let next = match in_fifo(&last) && last == end {
                 // fnrb_wrap.
                 true if self.config.choices.fnrb_wraps => start,
@@ -130,15 +131,15 @@ impl EcanModel {
         }
     }
 
-    /// 9.3.1: buffers are to be released one after the other, beginning with FNRB.
-    fn check_release_order(&self, cx: &mut Context<'_>, released: &[u8], full: u32) {
+    /// 9.3.1: buffers that the FIFO has filled are to be released one after the other, beginning with FNRB.
+    fn check_release_order(&self, cx: &mut Context<'_>, released: u32, full: u32) {
         let (_, read) = self.fifo_pointers();
         let mut expected = read;
-        for buffer in released {
-            if *buffer != expected {
+        for buffer in (0..MAX_BUFFERS as u8).filter(|buffer| released >> buffer & 1 == 1) {
+            if buffer != expected {
                 let (start, end) = self.fifo_area();
                 let fill = (start..=end).filter(|buffer| full >> buffer & 1 == 1).count() as u32;
-                let (index, get) = (u32::from(*buffer), u32::from(read));
+                let (index, get) = (u32::from(buffer), u32::from(read));
                 cx.report("9.3.1", DiagnosticKind::AcknowledgeInvalid { register: "RXFUL", index, get, fill });
                 return;
             }

@@ -3,7 +3,7 @@
 use can_wire::{ErrorState, Field, Mode};
 use dspic33_ecan_pac::{enums::OperationMode, registers as pac};
 
-use super::{EcanModel, power::Power};
+use super::EcanModel;
 use crate::{diagnostic::DiagnosticKind, model::Context, registers::WriteAccess};
 
 /// Where the module is between its modes.
@@ -91,7 +91,7 @@ impl EcanModel {
         }
         // mode_change_with_pending_messages: no frame is started any more.
         self.scan(cx);
-        if self.power == Power::Running {
+        if !self.clocks_stopped() {
             self.start_change(cx);
         }
     }
@@ -99,7 +99,7 @@ impl EcanModel {
     /// A request is taken back before it was reached.
     fn stay(&mut self, cx: &mut Context<'_>) {
         let mode = self.wire_mode(self.modes.now);
-        if self.power == Power::Running {
+        if !self.clocks_stopped() {
             if is_off(self.modes.now) {
                 cx.wire.set_mode(cx.node, mode);
             } else {

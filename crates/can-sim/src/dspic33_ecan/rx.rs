@@ -23,6 +23,8 @@ use crate::{
 pub(super) struct Rx {
     /// The FIFO pointers have been loaded.
     pub(super) fifo_started: bool,
+    /// Bit per buffer: the FIFO has filled it.
+    pub(super) taken_by_fifo: u32,
     /// The message that DMA is storing.
     storing: Option<Storing>,
     /// Data bytes in the message assembly buffer.
@@ -273,6 +275,7 @@ impl EcanModel {
         let slot = self.n.rxful[usize::from(buffer / 16)];
         self.regs.set(slot, self.regs.get(slot) | 1 << (buffer % 16));
         if fifo {
+            self.rx.taken_by_fifo |= 1 << buffer;
             self.advance_fifo();
             if self.fifo_almost_full() {
                 self.raise(Intf::FIFOIF);

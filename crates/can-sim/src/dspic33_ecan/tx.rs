@@ -8,7 +8,6 @@ use super::{
     dma::{Moved, WORDS},
     message,
     modes::sends,
-    power::Power,
 };
 use crate::{diagnostic::DiagnosticKind, model::Context, registers::WriteAccess};
 
@@ -119,8 +118,7 @@ impl EcanModel {
     }
 
     fn may_send(&self, cx: &Context<'_>) -> bool {
-        let running = self.power == Power::Running || !self.clocks_stopped();
-        running && self.modes.target.is_none() && sends(self.modes.now) && !self.is_bus_off(cx)
+        !self.clocks_stopped() && self.modes.target.is_none() && sends(self.modes.now) && !self.is_bus_off(cx)
     }
 
     /// 8.1: before a start of frame all ready buffers are looked at.

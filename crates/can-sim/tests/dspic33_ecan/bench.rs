@@ -5,7 +5,7 @@ use can_sim::{
     DiagnosticKind, Handle, Memory, MemoryBus, MemoryId, PeerId, RegisterBus, Sim, Time,
     dspic33_ecan::{EcanConfig, EcanModel},
 };
-use can_wire::{BitTiming, FdSupport, NodeConfig};
+use can_wire::{BitTiming, FdSupport, NodeConfig, NodeId, Wire};
 use dspic33_ecan_pac::{
     Dspic33Ecan,
     enums::{
@@ -167,6 +167,11 @@ impl Can {
     /// Timing, a filter, Normal mode.
     pub fn run(self, sim: &Sim, filter: Filter) -> Self {
         self.set_up(sim).add_filter(sim, filter).enter(sim, OperationMode::Normal)
+    }
+
+    pub fn on_wire<R>(self, sim: &Sim, look: impl FnOnce(&mut Wire, NodeId) -> R) -> R {
+        let node = sim.node(self.id);
+        sim.with_wire(|wire| look(wire, node))
     }
 
     pub fn memory(self, sim: &Sim) -> MemoryBus<'_> {

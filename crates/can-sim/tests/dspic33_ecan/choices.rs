@@ -149,7 +149,7 @@ fn loopback_pins() {
         let (sim, can, _) = bench(|c| c.loopback_drives_pin = drives);
         can.enter(&sim, OperationMode::Loopback);
         can.send(&sim, 0, &frame("100#"));
-        let dominant = |sim: &Sim| sim.with_wire(|wire| wire.tx_level(sim.node(can.id))) == Level::Dominant;
+        let dominant = |sim: &Sim| can.on_wire(sim, |wire, node| wire.tx_level(node)) == Level::Dominant;
         let mut seen = false;
         for _ in 0..60 {
             sim.run_for(Time::from_us(1));
@@ -387,7 +387,7 @@ fn information_processing_time() {
         let can = add_choosing(&sim, "can1", |c| c.information_processing_time = quanta).set_up(&sim);
         can.regs(&sim).cfg2().write(pac::Cfg2::RESET.with_prseg(7).with_seg1ph(0));
         can.enter(&sim, OperationMode::Normal);
-        let timing = sim.with_wire(|wire| wire.config(sim.node(can.id)).nominal);
+        let timing = can.on_wire(&sim, |wire, node| wire.config(node).nominal);
         assert_eq!(timing.phase_seg2, u16::from(quanta));
     }
 }
@@ -397,6 +397,7 @@ fn segment2_and_jump_width() {
     for reported in [false, true] {
         let sim = Sim::new();
         let can = add_choosing(&sim, "can1", |c| c.equal_jump_width_reported = reported).set_up(&sim);
+        can.regs(&sim).cfg1().write(crate::bench::CFG1.with_brp(1));
         can.regs(&sim).cfg2().write(crate::bench::CFG2.with_seg2ph(3));
         can.enter(&sim, OperationMode::Normal);
         assert_eq!(kinds(&sim).len(), usize::from(reported));

@@ -148,7 +148,7 @@ fn section_7_6_disable_mode_is_off_the_bus() {
         sim.run_for(FRAME * 3);
         assert_eq!(sim.peer_sent(other), [], "nobody acknowledges");
         assert!(!can.is_full(&sim, 8));
-        assert_eq!(sim.with_wire(|wire| wire.tx_level(sim.node(can.id))), Level::Recessive);
+        assert_eq!(can.on_wire(&sim, |wire, node| wire.tx_level(node)), Level::Recessive);
         // disable_mode_wake_up: bus activity changes no mode and sets no flag while the device does not sleep.
         assert_eq!(can.mode(&sim), mode);
         assert!(!can.intf(&sim).wakif());
@@ -275,7 +275,7 @@ fn example_6_2_bit_timing() {
     can.enter(&sim, OperationMode::Configuration).set_up(&sim);
     assert_eq!((regs.cfg1().read().bits(), regs.cfg2().read().bits()), (0x00C0, 0x05FC));
     can.enter(&sim, OperationMode::Normal);
-    let timing = sim.with_wire(|wire| wire.config(sim.node(can.id)).nominal);
+    let timing = can.on_wire(&sim, |wire, node| wire.config(node).nominal);
     assert_eq!(timing, TIMING);
     assert_eq!((timing.bit_rate(40_000_000), timing.sample_point_permille(), timing.quanta()), (1_000_000, 700, 20));
     assert_eq!(sim.diagnostics(), []);
@@ -309,7 +309,7 @@ fn equation_6_2_prescaler() {
         let segments = CFG2.with_prseg(propagation as u8 - 1).with_seg1ph(seg1 as u8 - 1).with_seg2ph(seg2 as u8 - 1);
         regs.cfg2().write(segments);
         can.enter(&sim, OperationMode::Normal);
-        let timing = sim.with_wire(|wire| wire.config(sim.node(can.id)).nominal);
+        let timing = can.on_wire(&sim, |wire, node| wire.config(node).nominal);
         assert_eq!((timing.bit_rate(fcy), timing.quanta()), (rate, u64::from(quanta)), "{rate}");
         assert_eq!(sim.diagnostics(), []);
     }
@@ -325,7 +325,7 @@ fn register_4_2_automatic_phase_segment_2() {
         can.regs(&sim).cfg2().write(cfg2);
         can.regs(&sim).cfg1().write(pac::Cfg1::RESET);
         can.enter(&sim, OperationMode::Normal);
-        assert_eq!(sim.with_wire(|wire| wire.config(sim.node(can.id)).nominal.phase_seg2), expected);
+        assert_eq!(can.on_wire(&sim, |wire, node| wire.config(node).nominal.phase_seg2), expected);
     }
 }
 
@@ -343,7 +343,7 @@ fn section_6_4_rules_of_the_bit_time() {
     assert_eq!(wrong(CFG1, CFG2), Vec::<String>::new());
     let short = wrong(CFG1.with_sjw(0).with_brp(9), CFG2.with_prseg(0).with_seg1ph(1).with_seg2ph(1));
     assert_eq!(short, ["a bit time has 6 time quanta, legal are 8 to 25"]);
-    let late = wrong(CFG1, CFG2.with_prseg(0).with_seg1ph(4).with_seg2ph(7));
+    let late = wrong(CFG1.with_brp(1), CFG2.with_prseg(0).with_seg1ph(4).with_seg2ph(7));
     assert_eq!(late, ["propagation segment and phase segment 1 have 6 quanta, phase segment 2 8"]);
     let jump = wrong(CFG1.with_sjw(3), CFG2.with_seg2ph(1));
     assert_eq!(jump[0], "the jump width of 4 quanta is not below phase segment 2 of 2");

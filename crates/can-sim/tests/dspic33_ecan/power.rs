@@ -100,7 +100,7 @@ fn section_13_1_sleep_while_active() {
     sim.run_for(Time::from_us(40));
     sim.act(can.id, |model, cx| model.sleep(cx));
     assert_eq!(kinds(&sim)[0].to_string(), "the device goes to Sleep while the module is in mode Normal");
-    assert_eq!(sim.with_wire(|wire| wire.tx_level(sim.node(can.id))), Level::Recessive);
+    assert_eq!(can.on_wire(&sim, |wire, node| wire.tx_level(node)), Level::Recessive);
     sim.run_for(FRAME);
     assert_eq!(received(&sim, other), Vec::<String>::new());
     assert_eq!(can.mode(&sim), OperationMode::Normal);
