@@ -43,7 +43,9 @@ pub(crate) struct Node {
     /// Level that the bit-stream wants on the output since the last boundary; looped back in some modes.
     pub(crate) driven: bool,
     /// When the output follows the next bit of the engine.
-    pub(crate) drive_at: Option<Fine>,
+    drive_at: Fine,
+    /// The key of that change in the order of events, [`NEVER`] if there is none.
+    drive_key: u64,
     /// Level at the receive input.
     pub(crate) rx: bool,
     /// Level of the bus at the receive input before faults.
@@ -81,7 +83,8 @@ impl Node {
             config,
             pin: true,
             driven: true,
-            drive_at: None,
+            drive_at: Fine::default(),
+            drive_key: NEVER,
             rx: true,
             raw_rx: true,
             arrivals: VecDeque::new(),
@@ -104,21 +107,24 @@ impl Node {
     /// outputs have changed before anyone samples.
     #[inline]
     pub(crate) fn next_key(&self) -> u64 {
-        let mut key = if self.is_active() {
+        let key = if self.is_active() {
             self.clock.next_sample_at << 1 | 1
         } else {
             NEVER
         };
-        if self.drive_at.is_none() && self.late.is_empty() && self.arrivals.is_empty() {
+        let key = key.min(self.drive_key);
+        if self.late.is_empty() && self.arrivals.is_empty() {
             return key;
         }
+        self.key_with_arrivals(key)
+    }
+
+    #[inline(never)]
+    fn key_with_arrivals(&self, mut key: u64) -> u64 {
         if self.is_active()
             && let Some(late) = self.late.front()
         {
             key = key.min(late.at.ceil() << 1 | 1);
-        }
-        if let Some(at) = self.drive_at {
-            key = key.min(at.ceil() << 1);
         }
         if let Some(at) = self.arrivals.front().map(|arrival| arrival.at)
             && (self.eager || self.watches_edges())
@@ -128,10 +134,23 @@ impl Node {
         key
     }
 
+    /// When the output follows the next bit of the engine, if it changes.
+    pub(crate) fn drive_at(&self) -> Option<Fine> {
+        (self.drive_key != NEVER).then_some(self.drive_at)
+    }
+
+    #[inline]
+    fn set_drive(&mut self, at: Fine) {
+        self.drive_at = at;
+        self.drive_key = at.ceil() << 1;
+    }
+
+    #[inline]
     fn is_active(&self) -> bool {
         self.awake || !self.protocol.is_sleeping()
     }
 
+    #[inline]
     fn watches_edges(&self) -> bool {
         self.clock.may_sync
             || self.measuring.is_some()
@@ -242,13 +261,13 @@ impl Node {
         if self.protocol.options.fd != FdSupport::Classic {
             self.protocol.edge_while_integrating();
         }
-        let output_pending = self.drive_at.is_some();
+        let output_pending = self.drive_key != NEVER;
         if let Effect::Moved { output_from } =
             self.clock.edge(at, sync, !self.driven && before_sample)
             && output_pending
             && !before_sample
         {
-            self.drive_at = Some(output_from);
+            self.set_drive(output_from);
         }
         self.awake |= self.protocol.field == Field::Idle;
     }
@@ -272,14 +291,14 @@ impl Node {
 
     /// An output change that is due at `now`.
     pub(crate) fn drive(&mut self, now: u64) -> Output {
-        if self.drive_at.is_none_or(|at| at.ceil() > now) {
+        if self.drive_key > now << 1 {
             return Output::None;
         }
-        let at = self.drive_at.take();
+        self.drive_key = NEVER;
         self.driven = self.protocol.drive;
         self.faults.next_bit();
         if !self.driven && self.starts_measurement() {
-            self.measuring = at;
+            self.measuring = Some(self.drive_at);
             self.delay = None;
         }
         if self.hears_itself() {
@@ -313,6 +332,33 @@ impl Node {
                     ..
                 })
             )
+    }
+
+    /// True if the bit sampled next is an ordinary one, for [`Node::sample_plain`].
+    #[inline]
+    pub(crate) fn is_plain(&self) -> bool {
+        self.config.delay_compensation.is_none()
+            && self.filtered_edge.is_none()
+            && self.arrivals.is_empty()
+            && self.faults.leaves_bits_alone()
+    }
+
+    /// [`Node::sample`] for a node that compensates no delay and has no fault near, without what only those need.
+    #[inline]
+    pub(crate) fn sample_plain(&mut self, now: u64, cx: &mut Context<'_>) -> bool {
+        if !self.is_active() || self.clock.next_sample_at > now {
+            return false;
+        }
+        let level = self.seen();
+        self.awake = false;
+        self.protocol.sample_plain(level, cx);
+        self.clock.sampled(level, self.protocol.data_phase);
+        if self.protocol.drive == self.driven {
+            self.drive_key = NEVER;
+        } else {
+            self.set_drive(self.clock.start);
+        }
+        true
     }
 
     /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit
@@ -399,8 +445,11 @@ impl Node {
 
     /// The output follows the engine at the next bit boundary, if anything changes there.
     pub(crate) fn schedule_drive(&mut self) {
-        let changes = self.protocol.drive != self.driven || self.faults.drive_changes();
-        self.drive_at = changes.then_some(self.clock.start);
+        if self.protocol.drive != self.driven || self.faults.drive_changes() {
+            self.set_drive(self.clock.start);
+        } else {
+            self.drive_key = NEVER;
+        }
     }
 
     /// Bits of the data phase are compared at their secondary sample points.
@@ -454,7 +503,7 @@ impl Node {
     /// The output follows the engine at once, not at a bit boundary: the mode has changed.
     pub(crate) fn follow_engine(&mut self, now: Time) -> Output {
         self.driven = self.protocol.drive;
-        self.drive_at = None;
+        self.drive_key = NEVER;
         self.apply_input(now);
         self.pin_output()
     }
@@ -484,7 +533,7 @@ impl Node {
         }
         self.driven = true;
         self.pin = true;
-        self.drive_at = None;
+        self.drive_key = NEVER;
         self.awake = false;
     }
 }

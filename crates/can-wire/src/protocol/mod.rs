@@ -178,8 +178,18 @@ impl Protocol {
                 };
                 self.raise(kind, position, cx);
             }
-            _ if self.field.is_in_frame() => self.frame_bit(bit, cx),
-            _ => self.other_bit(bit, cx),
+            _ => return self.sample_plain(bit, cx),
+        }
+        self.drive = self.next_drive();
+    }
+
+    /// [`Protocol::sample`] without a secondary sample point.
+    #[inline]
+    pub(crate) fn sample_plain(&mut self, bit: bool, cx: &mut Context<'_>) {
+        if self.field.is_in_frame() {
+            self.frame_bit(bit, cx);
+        } else {
+            self.other_bit(bit, cx);
         }
         self.drive = self.next_drive();
     }
@@ -221,7 +231,12 @@ impl Protocol {
         }
     }
 
+    #[inline]
     pub(crate) fn is_sleeping(&self) -> bool {
+        self.field <= Field::Idle && self.is_resting()
+    }
+
+    fn is_resting(&self) -> bool {
         match self.field {
             Field::Off => true,
             Field::Idle => {
@@ -240,6 +255,7 @@ impl Protocol {
         }
     }
 
+    #[inline]
     fn enter(&mut self, field: Field) {
         self.field = field;
         self.bit = 0;

@@ -243,21 +243,34 @@ impl Wire {
         self.fast.statistics.steps += 1;
         let sampled = if self.tracer.bits {
             self.step_sample_recorded(index)
-        } else {
+        } else if self.nodes[index].is_plain() {
             let now = self.now;
-            let node = &mut self.nodes[index];
-            node.take_arrivals(now);
             let mut cx = Context {
                 now: Time::from_ps(now),
                 node: NodeId(index as u16),
                 events: &mut self.events,
             };
-            node.sample::<false>(now, &mut cx).0
+            self.nodes[index].sample_plain(now, &mut cx)
+        } else {
+            self.step_sample_with_care(index)
         };
         if sampled && !self.bit_faults.is_empty() {
             self.match_bit_faults(index);
         }
         self.after_step(index);
+    }
+
+    #[inline(never)]
+    fn step_sample_with_care(&mut self, index: usize) -> bool {
+        let now = self.now;
+        let node = &mut self.nodes[index];
+        node.take_arrivals(now);
+        let mut cx = Context {
+            now: Time::from_ps(now),
+            node: NodeId(index as u16),
+            events: &mut self.events,
+        };
+        node.sample::<false>(now, &mut cx).0
     }
 
     #[inline(never)]
@@ -321,7 +334,7 @@ impl Wire {
     }
 
     /// Whatever has happened to a node: its next event, its input in the trace, a wake-up.
-    #[inline]
+    #[inline(always)]
     fn after_step(&mut self, index: usize) {
         let node = &mut self.nodes[index];
         self.schedule.set(index, node.next_key());

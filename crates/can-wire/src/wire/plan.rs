@@ -181,7 +181,7 @@ impl Wire {
         let protocol = &node.protocol;
         let starts = protocol.field == Field::Sof
             && protocol.sending
-            && node.drive_at == Some(node.clock.start);
+            && node.drive_at() == Some(node.clock.start);
         let clean = protocol.mode == Mode::Normal
             && protocol.confinement.tec == 0
             && protocol.confinement.rec == 0
@@ -235,7 +235,7 @@ impl Wire {
             node.take_arrivals(now);
             if node.cut
                 || !node.is_asleep()
-                || node.drive_at.is_some()
+                || node.drive_at().is_some()
                 || node.has_arrivals()
                 || node.wake_armed
             {
