@@ -1,9 +1,12 @@
 //! One node: protocol engine, bit-timing unit and pins.
 
+mod delay;
+mod plain;
+
 use std::collections::VecDeque;
 
 use crate::{
-    BitRecord, DelaySource, EventKind, FdSupport, Field, Level, Mode, NodeConfig, Position, Time,
+    BitRecord, FdSupport, Field, Level, Mode, NodeConfig, Position, Time,
     bit_clock::{BitClock, Effect},
     fault::NodeFaults,
     protocol::{Context, Options, Protocol},
@@ -176,6 +179,9 @@ impl Node {
     #[inline]
     pub(crate) fn bus_changed(&mut self, at: u64, level: bool, now: u64) -> bool {
         if at == now && self.arrivals.is_empty() {
+            if self.takes_quietly(at, level) {
+                return false;
+            }
             let matters = if level {
                 self.filtered_edge.is_some()
             } else {
@@ -272,23 +278,6 @@ impl Node {
         self.awake |= self.protocol.field == Field::Idle;
     }
 
-    /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, in whole clock periods.
-    fn measure(&mut self, fell: Fine, at: Time) {
-        let Some(compensation) = self.config.delay_compensation else {
-            return;
-        };
-        let at = Fine::from_time(at);
-        let mut delay = at.ticks_since(fell, self.clock.clock);
-        delay += u64::from(at.rest_since(fell, self.clock.clock) > 0);
-        if let DelaySource::Measured { filter } = compensation.delay
-            && compensation.secondary_sample_point(delay) < u64::from(filter)
-        {
-            return;
-        }
-        self.measuring = None;
-        self.delay = Some(delay);
-    }
-
     /// An output change that is due at `now`.
     pub(crate) fn drive(&mut self, now: u64) -> Output {
         if self.drive_key > now << 1 {
@@ -319,46 +308,6 @@ impl Node {
         }
         self.pin = level;
         Output::Pin(level)
-    }
-
-    fn starts_measurement(&self) -> bool {
-        self.protocol.sending
-            && self.protocol.field == Field::Res
-            && self.protocol.incoming.fd
-            && matches!(
-                self.config.delay_compensation,
-                Some(crate::DelayCompensation {
-                    delay: DelaySource::Measured { .. },
-                    ..
-                })
-            )
-    }
-
-    /// True if the bit sampled next is an ordinary one, for [`Node::sample_plain`].
-    #[inline]
-    pub(crate) fn is_plain(&self) -> bool {
-        self.config.delay_compensation.is_none()
-            && self.filtered_edge.is_none()
-            && self.arrivals.is_empty()
-            && self.faults.leaves_bits_alone()
-    }
-
-    /// [`Node::sample`] for a node that compensates no delay and has no fault near, without what only those need.
-    #[inline]
-    pub(crate) fn sample_plain(&mut self, now: u64, cx: &mut Context<'_>) -> bool {
-        if !self.is_active() || self.clock.next_sample_at > now {
-            return false;
-        }
-        let level = self.seen();
-        self.awake = false;
-        self.protocol.sample_plain(level, cx);
-        self.clock.sampled(level, self.protocol.data_phase);
-        if self.protocol.drive == self.driven {
-            self.drive_key = NEVER;
-        } else {
-            self.set_drive(self.clock.start);
-        }
-        true
     }
 
     /// The sample point, or a secondary one, that is due at `now`. Tells whether a bit
@@ -428,56 +377,12 @@ impl Node {
         (true, Some(record))
     }
 
-    /// The secondary sample points that are due.
-    fn compare_late(&mut self, now: u64) {
-        while let Some(late) = self
-            .late
-            .front()
-            .copied()
-            .filter(|late| late.at.ceil() <= now)
-        {
-            self.late.pop_front();
-            if self.rx != late.level && self.late_error.is_none() {
-                self.late_error = Some((late.position, Level::from_bit(late.level)));
-            }
-        }
-    }
-
     /// The output follows the engine at the next bit boundary, if anything changes there.
     pub(crate) fn schedule_drive(&mut self) {
         if self.protocol.drive != self.driven || self.faults.drive_changes() {
             self.set_drive(self.clock.start);
         } else {
             self.drive_key = NEVER;
-        }
-    }
-
-    /// Bits of the data phase are compared at their secondary sample points.
-    fn prepare_late_sample(&mut self, sampled: Position, cx: &mut Context<'_>) {
-        let Some(compensation) = self.config.delay_compensation else {
-            return;
-        };
-        let delay = match compensation.delay {
-            DelaySource::Fixed(delay) => u64::from(delay),
-            // An edge that has not come back yet is beyond every limit.
-            DelaySource::Measured { .. } => self.delay.unwrap_or(u64::from(u16::MAX)),
-        };
-        let secondary = compensation.secondary_sample_point(delay);
-        if sampled.field == Field::Brs && !sampled.stuff && self.protocol.sending {
-            self.measuring = None;
-            cx.emit(EventKind::TransmitterDelay {
-                delay: delay.min(u64::from(u16::MAX)) as u16,
-                secondary_sample_point: secondary as u16,
-            });
-        }
-        if !self.protocol.relies_on_own_bits() {
-            self.late.clear();
-        } else if self.protocol.field != Field::CrcDelimiter || self.protocol.stuff_next {
-            self.late.push_back(Late {
-                at: self.clock.start.plus(secondary, self.clock.clock),
-                level: self.protocol.drive,
-                position: self.protocol.position(),
-            });
         }
     }
 
