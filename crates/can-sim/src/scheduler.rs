@@ -56,6 +56,7 @@ pub(crate) struct Core {
     pub(crate) log: BusLog,
     pub(crate) trace: Option<Vec<AccessRecord>>,
     pub(crate) changes: VecDeque<LineChange>,
+    pub(crate) handler: Option<u64>,
 }
 
 impl Core {
@@ -70,6 +71,7 @@ impl Core {
             log,
             trace: None,
             changes: VecDeque::new(),
+            handler: None,
         }
     }
 
@@ -90,10 +92,10 @@ impl Core {
     /// Lets a model act, and takes notice of what that changed.
     #[inline]
     pub(crate) fn with_model<R>(&mut self, index: usize, act: impl FnOnce(&mut dyn Model, &mut Context<'_>) -> R) -> R {
-        let Self { entries, wire, memories, diagnostics, .. } = self;
+        let Self { entries, wire, memories, diagnostics, handler, .. } = self;
         let entry = &mut entries[index];
-        let mut cx =
-            Context { now: wire.now(), node: entry.node, wire, controller: &entry.name, memories, diagnostics };
+        let (now, node, controller, handler) = (wire.now(), entry.node, entry.name.as_str(), *handler);
+        let mut cx = Context { now, node, wire, handler, controller, memories, diagnostics };
         let result = act(&mut *entry.model, &mut cx);
         self.notice(index);
         result
@@ -165,10 +167,10 @@ impl Core {
             return;
         }
         for index in 0..self.entries.len() {
-            let Self { entries, wire, memories, diagnostics, .. } = self;
+            let Self { entries, wire, memories, diagnostics, handler, .. } = self;
             let entry = &mut entries[index];
-            let (now, node, controller) = (wire.now(), entry.node, entry.name.as_str());
-            let mut cx = Context { now, node, wire, controller, memories, diagnostics };
+            let (now, node, controller, handler) = (wire.now(), entry.node, entry.name.as_str(), *handler);
+            let mut cx = Context { now, node, wire, handler, controller, memories, diagnostics };
             entry.model.memory_written(&mut cx, id, offset / 4);
         }
     }

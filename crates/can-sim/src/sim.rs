@@ -332,6 +332,10 @@ impl Sim {
         self.core.borrow_mut().write_memory(id, offset, width, value);
     }
 
+    pub(crate) fn set_handler(&self, handler: Option<u64>) {
+        self.core.borrow_mut().handler = handler;
+    }
+
     pub(crate) fn next_line_change(&self) -> Option<LineChange> {
         self.core.borrow_mut().changes.pop_front()
     }
