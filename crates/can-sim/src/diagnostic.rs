@@ -261,7 +261,10 @@ impl fmt::Display for DiagnosticKind {
             }
             Self::StaleWrite { register, fields, bits } => {
                 let fields = fields.join(", ");
-                write!(f, "{register}: an old value was written over {fields} (bits {bits:#x}), which hardware had changed")
+                write!(
+                    f,
+                    "{register}: an old value was written over {fields} (bits {bits:#x}), which hardware had changed"
+                )
             }
             Self::TransferNotServed { request, buffer, because } => {
                 write!(f, "the words of buffer {buffer} were not moved on request {request}: {because}")

@@ -145,6 +145,22 @@ impl Wire {
         }
     }
 
+    /// No event comes before this time unless a request makes one; [`Time::MAX`] if none will come at all. At this time
+    /// something happens, though perhaps nothing that is an event.
+    #[must_use]
+    pub fn next_due(&self) -> Time {
+        if !self.events.is_empty() {
+            return self.now();
+        }
+        Time::from_ps(self.fast.next_due().or_else(|| self.next_time()).unwrap_or(Time::MAX.as_ps()))
+    }
+
+    /// Lets time pass to `until`, but not beyond [`Wire::next_due`]: for several buses that share one time.
+    pub fn wait_until(&mut self, until: Time) {
+        let until = until.min(self.next_due());
+        self.now = self.now.max(until.as_ps());
+    }
+
     /// Runs until `limit` and hands every event to `handler`, which may place requests.
     pub fn run_until(&mut self, limit: Time, mut handler: impl FnMut(&mut Wire, Event)) {
         while let Some(event) = self.next_event(limit) {
