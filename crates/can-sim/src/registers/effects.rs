@@ -1,6 +1,6 @@
 //! What states of the registers do to other registers.
 
-use regbus::meta::{Effect, FieldRef};
+use regbus::meta::{Effect, FieldRef, Index};
 
 use super::{FieldAt, RegisterFile, Slot, conditions};
 
@@ -126,16 +126,22 @@ impl RegisterFile {
             }
         }
         for field in effect.resets_fields {
-            let at = self.field_at(*field);
+            let at = self.target(*field, own);
             let value = self.reset_value(at.slot) >> at.lsb;
             self.set_field(at, value);
         }
         for (target, origin) in effect.loads {
-            let value = self.field(self.field_at(*origin));
-            self.set_field(self.field_at(*target), value);
+            let value = self.field(self.target(*origin, own));
+            self.set_field(self.target(*target, own), value);
         }
         for (field, value) in effect.sets {
-            self.set_field(self.field_at(*field), *value);
+            self.set_field(self.target(*field, own), *value);
         }
+    }
+
+    /// Where an effect acts: of a repeated field on the one with the number that `[n]` stands for.
+    fn target(&self, field: FieldRef, own: Option<u32>) -> FieldAt {
+        let numbered = own.and_then(|_| self.numbered(field, Index::Own, own));
+        numbered.unwrap_or_else(|| self.field_at(field))
     }
 }
