@@ -72,8 +72,9 @@ impl SimBuilder {
     #[must_use]
     pub fn build(self) -> Sim {
         let diagnostics = Diagnostics { policy: self.on_diagnostic, list: Vec::new() };
+        let core = Core::new(diagnostics, self.log_limit);
         Sim {
-            core: RefCell::new(Core::new(diagnostics, self.log_limit)),
+            core: RefCell::new(core),
             handlers: Handlers::default(),
             cost: self.access_cost,
             accesses: Cell::new(0),
