@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{BitTiming, Limits, SamplePoint, Segments, Tolerance};
+use super::{BitTiming, SamplePoint, Segments, Tolerance};
 
 /// A bit rate as the clock makes it: a clock in hertz and the periods of it in a bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

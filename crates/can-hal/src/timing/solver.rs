@@ -531,6 +531,10 @@ impl Limits {
         self.finish(request, nominal.segments(&n), Some(DataPhase { segments, compensation }))
     }
 
+    const fn report(&self, request: &Request, segments: &Segments, wanted: &PhaseRequest) -> PhaseReport {
+        PhaseReport::of(segments, request.clock, self.divider, wanted.bit_rate, wanted.target())
+    }
+
     const fn finish(
         &self,
         request: &Request,
@@ -541,14 +545,11 @@ impl Limits {
         if let Err(fault) = self.check(&timing) {
             return Err(TimingError::Limit(fault));
         }
-        let report = |segments: &Segments, wanted: &PhaseRequest| {
-            PhaseReport::of(segments, request.clock, self.divider, wanted.bit_rate, wanted.target())
-        };
         Ok(Solution {
             timing,
-            nominal: report(&nominal, &request.nominal),
+            nominal: self.report(request, &nominal, &request.nominal),
             data: match (&data, &request.data) {
-                (Some(data), Some(wanted)) => Some(report(&data.segments, wanted)),
+                (Some(data), Some(wanted)) => Some(self.report(request, &data.segments, wanted)),
                 _ => None,
             },
             tolerance: Tolerance::of(&timing),
