@@ -17,7 +17,7 @@
 //! let layout = Layout::packed(&Sizes { rx_fifo_0: 8, tx_queue: 4, ..Sizes::NONE })?;
 //! let mut can = Can::new(registers, region, layout, Polls(100))?;
 //! can.configure(&Config::new(TIMING))?;
-//! let mut can = can.start_loop_back(Polls(100))?;
+//! let mut can = can.start_loop_back(Polls(100)).map_err(|refused| refused.error)?;
 //!
 //! let frame = Frame::data(StandardId::new(0x123).ok_or("id")?, b"hello")?;
 //! let ticket = can.send(&frame)?;
@@ -123,11 +123,12 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
     ) -> Result<Self, ConfigError> {
         layout.fits(region.address(), region.bytes())?;
         let regs = MCan::new(registers);
-        let before = regs.cccr().read();
-        regs.cccr().write(before.with_init(true).with_csr(false));
+        // What else is set there can be changed only in configuration mode.
+        let stopped = regs.cccr().read().with_init(true).with_csr(false);
+        regs.cccr().write(stopped);
         wait(&mut deadline, || regs.cccr().read().init())?;
         // 3.1.1: CCE can be set only while INIT is 1, so not in the same write.
-        regs.cccr().write(pac::Cccr::INIT | pac::Cccr::CCE);
+        regs.cccr().write(stopped.with_cce(true));
         let inner = Inner {
             regs,
             ram: region.bus(),
