@@ -5,15 +5,24 @@ mod behaviour;
 mod registers;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use annotate_snippets::Renderer;
 use regdef::diagnostic::report;
 use regdef::load_file;
 use regdef::model::*;
 
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/features")
+}
+
+fn descriptions() -> impl Iterator<Item = PathBuf> {
+    let files = fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
+    files.filter(|path| path.extension().is_some_and(|extension| extension == "yaml"))
+}
+
 fn load(name: &str) -> Model {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/features").join(name).with_extension("yaml");
+    let path = folder().join(name).with_extension("yaml");
     let loaded = load_file(&path);
     assert!(loaded.findings.is_empty(), "{}", report(&loaded.findings, &loaded.source, &Renderer::plain()));
     loaded.model.unwrap()
@@ -48,8 +57,8 @@ fn shown(model: &Model, condition: Option<ConditionId>) -> String {
 #[test]
 fn every_feature_loads_without_a_finding() {
     let mut count = 0;
-    for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/features")).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
+    for path in descriptions() {
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let model = load(&name);
         assert_eq!(format!("{}.yaml", model.names.id), name);
         count += 1;
@@ -94,8 +103,7 @@ fn targets_are_of_every_kind() {
 fn the_schema_accepts_what_loads() {
     let schema = regdef::schema();
     let validator = jsonschema::validator_for(&schema).unwrap();
-    for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/features")).unwrap() {
-        let path = entry.unwrap().path();
+    for path in descriptions() {
         let tree: serde_json::Value = serde_yaml::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
         assert!(validator.is_valid(&tree), "{}", path.display());
     }
