@@ -298,6 +298,12 @@ impl RegisterFile {
         ReadAccess { slot, lanes, value: stored & !self.unreadable[register], left }
     }
 
+    /// What a read of a register would show, without its side effects.
+    #[must_use]
+    pub fn peek(&self, slot: Slot) -> u32 {
+        self.get(slot) & !self.unreadable[self.physical[slot.0 as usize].register as usize]
+    }
+
     /// Mask of the interrupt lines that are active, bit 0 for the first line of the description.
     #[inline]
     #[must_use]
