@@ -27,6 +27,7 @@ impl Pic32CanModel {
 
     /// Register 34-1: ABAT aborts the transmissions of all FIFOs, and is cleared when that is done.
     pub(super) fn abort_all(&mut self, cx: &mut Context<'_>) {
+        self.tx.aborting = self.tx.requested;
         for fifo in bits(self.tx.requested) {
             self.abort(cx, fifo);
         }

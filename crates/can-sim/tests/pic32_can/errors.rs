@@ -129,7 +129,6 @@ fn bus_off_and_recovery() {
     assert_eq!(trec.tec(), 0xFF);
     assert_eq!(can.icod(&sim), 0x41);
     can.clear(&sim, Int::CERRIF);
-    let node = sim.node(can.id);
     sim.with_wire(|wire| wire.clear_faults());
     let begin = sim.now();
     sim.run_until(Time::from_ms(5), |sim| !can_is_bus_off(sim, can)).unwrap();
@@ -154,7 +153,6 @@ fn configuration_mode_ends_bus_off() {
     can.mode(&sim, OperationMode::Configuration);
     assert_eq!(can.regs(&sim).trec().read().bits(), 0);
     assert!(!can_is_bus_off(&sim, can));
-    let node = sim.node(can.id);
     sim.with_wire(|wire| wire.clear_faults());
     can.start(&sim);
     can.send(&sim, 0, &frame("101#"));
@@ -184,11 +182,13 @@ fn receive_errors() {
     let other = sim.peer_node(peer);
     let position = Position::new(Field::Crc, 2);
     let frames = Frames { sender: Some(other), skip: 0, count: 12 };
+    sim.with_wire(|wire| wire.set_error_counters(node, 0, 90));
     sim.with_wire(|wire| wire.inject(Fault::Bit { node, fault: BitFault::InvertSeen, position, frames }));
     sim.peer_send(peer, frame("123#"));
     sim.run_for(Time::from_us(1_500));
     let trec = can.regs(&sim).trec().read();
-    assert!(trec.rec() > 90, "{trec:?}");
+    assert_eq!(trec.rec(), 90 + 12 - 1, "12 errors and a success");
+    assert!(trec.rxwarn());
     assert!(can.flags(&sim).cerrif());
     can.send(&sim, 0, &frame("100#"));
     sim.run_for(FRAME * 3);

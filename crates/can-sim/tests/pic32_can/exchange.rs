@@ -2,7 +2,8 @@
 
 use std::collections::VecDeque;
 
-use can_sim::{Sim, Time};
+use can_sim::{BusEntry, Sim};
+use can_wire::{Field, Position, Role};
 use pic32_can_pac::registers::{FifoCon, FifoInt, Int};
 use rand_chacha::{
     ChaCha8Rng,
@@ -50,12 +51,14 @@ struct Side {
     random: ChaCha8Rng,
     expected: [VecDeque<Frame>; 3],
     rejected: usize,
+    last: [Option<Frame>; 3],
+    repeated: usize,
 }
 
 impl Side {
     fn new(can: Can, number: u32) -> Self {
         let random = ChaCha8Rng::seed_from_u64(u64::from(number));
-        Self { can, number, sent: 0, random, expected: Default::default(), rejected: 0 }
+        Self { can, number, sent: 0, random, expected: Default::default(), rejected: 0, last: [None; 3], repeated: 0 }
     }
 
     fn fill(&mut self, sim: &Sim, other: &mut Self) {
@@ -74,6 +77,13 @@ impl Side {
     fn drain(&mut self, sim: &Sim) {
         for fifo in [1, 2] {
             while let Some(frame) = self.can.receive(sim, fifo) {
+                // ISO 11898-1: a receiver takes a frame one bit before its sender does. An error in the last bit of EOF
+                // makes the sender repeat what has arrived.
+                if self.last[fifo] == Some(frame) && self.expected[fifo].front() != Some(&frame) {
+                    self.repeated += 1;
+                    continue;
+                }
+                self.last[fifo] = Some(frame);
                 assert_eq!(Some(frame), self.expected[fifo].pop_front(), "FIFO {fifo} of side {}", self.number);
             }
             assert!(!self.can.fifo(sim, fifo).int_().read().contains(FifoInt::RXOVFLIF));
@@ -86,9 +96,9 @@ impl Side {
     }
 }
 
-/// Returns how often an error was seen, and the end of the run.
-fn exchange(noise: f64) -> (usize, Time) {
-    let sim = Sim::new();
+/// Returns how often an error was seen.
+fn exchange(noise: f64) -> usize {
+    let sim = Sim::builder().log_limit(1_000_000).build();
     let cans = ["can1", "can2"].map(|name| add(&sim, name));
     for can in cans {
         set_up(&sim, can);
@@ -121,17 +131,21 @@ fn exchange(noise: f64) -> (usize, Time) {
     for can in cans {
         assert!(!can.fifo(&sim, TX).con().read().contains(FifoCon::TXREQ));
     }
-    (errors, sim.now())
+    let last_bit = Position::new(Field::Eof, 6);
+    let in_last_bit = |entry: &&BusEntry| matches!(entry, BusEntry::Error { error, .. } if error.position == last_bit && error.role == Role::Transmitter);
+    let explained = sim.bus_log().iter().filter(in_last_bit).count();
+    assert!(a.repeated + b.repeated <= explained, "{} frames twice", a.repeated + b.repeated);
+    errors
 }
 
 #[test]
 fn nothing_is_lost_or_reordered() {
-    assert_eq!(exchange(0.0).0, 0);
+    assert_eq!(exchange(0.0), 0);
 }
 
 #[test]
 fn nothing_is_lost_under_bit_errors() {
-    let (errors, _) = exchange(0.000_1);
+    let errors = exchange(0.000_1);
     assert!(errors > 300, "{errors} errors");
 }
 

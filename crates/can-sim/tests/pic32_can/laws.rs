@@ -27,6 +27,11 @@ impl Subject for Pic32 {
         sim.registers(id).write(0x000, Con::RESET.with_on(true).bits());
     }
 
+    /// While ON is 0 the FIFOs are held in reset.
+    fn release(sim: &Sim, id: Handle<Pic32CanModel>) {
+        Self::configure(sim, id);
+    }
+
     /// What follows the state of the module: status, pointers and level flags. TXREQ of a receive FIFO, and UINC, are
     /// never seen as 1.
     fn follows(register: &str, field: &str) -> bool {
@@ -78,6 +83,12 @@ fn read_effects() {
 #[test]
 fn illegal_accesses() {
     assert_eq!(laws_of::illegal_accesses::<Pic32>(), 181 * (4 + 4 + 3));
+}
+
+/// Table 34-1 reserves no range of addresses.
+#[test]
+fn reserved_addresses() {
+    assert_eq!(laws_of::reserved::<Pic32>(), 0);
 }
 
 /// Table 34-1, notes 1 to 3: alias registers clear, set and invert; alias_read_value: a read gives the base register and

@@ -78,7 +78,8 @@ fn normal_mode_needs_a_quiet_bus() {
     let begin = sim.now();
     can.start(&sim);
     let waited = sim.now().since(begin);
-    assert!(waited >= Time::from_us(11) && waited < Time::from_us(14), "{waited}");
+    // The eleventh sample point, at 70 % of the bit.
+    assert!(waited >= Time::from_ns(10_700) && waited < Time::from_us(14), "{waited}");
     assert!(can.flags(&sim).modif());
 }
 
