@@ -1,6 +1,6 @@
 //! What states of the registers do to other registers.
 
-use regbus::meta::{Effect, FieldRef};
+use regbus::meta::{Effect, FieldRef, Index};
 
 use super::{FieldAt, RegisterFile, Slot, conditions};
 
@@ -150,6 +150,12 @@ impl RegisterFile {
             }
         }
         for field in effect.resets_fields {
+            if own.is_some() && element.is_none() {
+                let at = self.target(*field, own);
+                let value = self.reset_value(at.slot) >> at.lsb;
+                self.set_field(at, value);
+                continue;
+            }
             let bits = self.field_info(*field).all();
             for slot in self.concerned(field.register, element) {
                 let value = self.get(slot) & !bits | self.reset_value(slot) & bits;
@@ -157,11 +163,17 @@ impl RegisterFile {
             }
         }
         for (target, origin) in effect.loads {
-            let value = self.field(self.field_at(*origin));
-            self.set_field(self.field_at(*target), value);
+            let value = self.field(self.target(*origin, own));
+            self.set_field(self.target(*target, own), value);
         }
         for (field, value) in effect.sets {
-            self.set_field(self.field_at(*field), *value);
+            self.set_field(self.target(*field, own), *value);
         }
+    }
+
+    /// Where an effect acts: of a repeated field on the one with the number that `[n]` stands for.
+    fn target(&self, field: FieldRef, own: Option<u32>) -> FieldAt {
+        let numbered = own.and_then(|_| self.numbered(field, Index::Own, own));
+        numbered.unwrap_or_else(|| self.field_at(field))
     }
 }
