@@ -85,7 +85,7 @@ impl Core {
         write: bool,
         mut touch: impl FnMut(&mut Self, &Touch) -> u32,
     ) -> u32 {
-        let legal = self.entries[index].model.registers().meta().access_widths.contains(&width.0);
+        let legal = self.entries[index].model.registers().access_widths().contains(&width.0);
         if !legal || !offset.is_multiple_of(width.bytes()) {
             self.report_address(index, DiagnosticKind::IllegalAccess { offset, width: width.0, write });
             return 0;

@@ -98,6 +98,8 @@ pub struct Choices {
     pub wake_in_disable: bool,
     /// `error_counters_on_configuration` (34.5.1): true if entering Configuration mode clears the error counters.
     pub configuration_clears_counters: bool,
+    /// `narrow_access` (34.3): true if bytes and halfwords of the registers can be accessed.
+    pub narrow_accesses: bool,
     /// `alias_write_as_read` (Register 34-20): true if a write to CiFIFOCONnCLR, SET or INV clears TXLARB and TXERR.
     pub alias_write_reads: bool,
     /// `timer_alias_write` (Register 34-8): true if a write to CiTMRCLR, SET or INV restarts the prescaler.
@@ -173,6 +175,7 @@ impl Default for Choices {
             own_frames_received: false,
             wake_in_disable: false,
             configuration_clears_counters: true,
+            narrow_accesses: false,
             alias_write_reads: false,
             alias_write_restarts_timer: true,
             flags_can_be_set: false,

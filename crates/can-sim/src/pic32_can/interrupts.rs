@@ -57,7 +57,7 @@ impl Pic32CanModel {
     pub(super) fn collect(&mut self, fifo: u8) {
         let bit = 1_u32 << fifo;
         let word = self.regs.get(self.r.fifo_interrupt[usize::from(fifo)]);
-        let pending = word & LEVELS & word / ENABLES != 0;
+        let pending = word & LEVELS & (word / ENABLES) != 0;
         let transmits = self.transmits(fifo);
         let put = |mask: u32, holds: bool| if holds { mask | bit } else { mask & !bit };
         self.interrupts.transmit = put(self.interrupts.transmit, pending && transmits);

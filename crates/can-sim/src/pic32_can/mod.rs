@@ -82,7 +82,10 @@ impl Pic32CanModel {
     #[must_use]
     pub fn new(config: Pic32CanConfig) -> Self {
         assert!((1..=32).contains(&config.fifos), "a module has 1 to 32 FIFOs, not {}", config.fifos);
-        let regs = RegisterFile::new(&CONTROLLER, config.unknown_reset);
+        let mut regs = RegisterFile::new(&CONTROLLER, config.unknown_reset);
+        if config.choices.narrow_accesses {
+            regs.set_access_widths(&[8, 16, 32]);
+        }
         let (r, f) = names::look_up(&regs);
         let [sid, eid] = tx_message::implemented();
         let mut model = Self {

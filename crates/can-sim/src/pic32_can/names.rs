@@ -107,13 +107,16 @@ pub(super) fn look_up(file: &RegisterFile) -> (Slots, Fields) {
     (slots, fields)
 }
 
+/// The registers of an array, and what each is by its number.
+type Numbered<'a> = (&'a [Slot], fn(u8) -> Named);
+
 fn name(slots: &Slots, slot: Slot) -> Named {
     let number = |array: &[Slot]| array.iter().position(|at| *at == slot).map(|n| n as u8);
     let single = [(slots.con, Named::Con), (slots.int, Named::Int), (slots.tmr, Named::Tmr)];
     if let Some((_, named)) = single.into_iter().find(|(at, _)| *at == slot) {
         return named;
     }
-    let arrays: [(&[Slot], fn(u8) -> Named); 7] = [
+    let arrays: [Numbered<'_>; 7] = [
         (&slots.masks, Named::Mask),
         (&slots.filter_control, Named::FilterControl),
         (&slots.filters, Named::Filter),

@@ -137,6 +137,20 @@ fn error_counters_on_configuration() {
     }
 }
 
+/// As a driver in use does it: the control byte of one filter by itself.
+#[test]
+fn narrow_access() {
+    for allowed in [false, true] {
+        let (sim, can) = fresh(|choices| choices.narrow_accesses = allowed);
+        can.set_up(&sim, 0x100, &[]);
+        sim.registers(can.id).write(0x0C2, 0x85_u8);
+        let control = can.regs(&sim).flt_con(0).read();
+        assert_eq!((control.flten(2), control.fsel(2) == FltConFsel::Fifo(5)), (allowed, allowed));
+        assert_eq!(control.bits() & 0xFF00_FFFF, 0);
+        assert_eq!(sim.diagnostics().is_empty(), allowed);
+    }
+}
+
 #[test]
 fn alias_write_as_read() {
     for reads in [false, true] {
