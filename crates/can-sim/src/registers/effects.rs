@@ -46,10 +46,11 @@ impl Effects {
         conditions::fields(&file.meta.conditions[effect.on as usize].expr, &mut fields);
         slots.extend(fields.iter().filter_map(|(field, at)| file.numbered(*field, *at, own)).map(FieldAt::slot));
         if effect.holds {
-            slots.extend(effect.resets.iter().map(|register| Slot(file.first[*register as usize])));
             let targets = effect.resets_fields.iter().chain(effect.sets.iter().map(|(field, _)| field));
             let moved = effect.loads.iter().flat_map(|(target, origin)| [target, origin]);
-            slots.extend(targets.chain(moved).map(|field| Slot(file.first[field.register as usize])));
+            let fields = targets.chain(moved).map(|field| field.register);
+            let registers = effect.resets.iter().copied().chain(fields);
+            slots.extend(registers.flat_map(|register| file.elements(register, own)));
         }
         slots.sort_unstable();
         slots.dedup();
@@ -118,24 +119,39 @@ impl RegisterFile {
             return;
         }
         for register in effect.resets {
-            let first = self.first[*register as usize];
-            for element in 0..self.meta.registers[*register as usize].count() as u16 {
-                let slot = Slot(first + element);
+            for slot in self.elements(*register, own) {
                 let value = self.reset_value(slot);
                 self.set(slot, value);
             }
         }
         for field in effect.resets_fields {
-            let at = self.field_at(*field);
-            let value = self.reset_value(at.slot) >> at.lsb;
-            self.set_field(at, value);
+            for slot in self.elements(field.register, own) {
+                let at = self.at(slot, self.field_info(*field), 0);
+                let value = self.reset_value(slot) >> at.lsb;
+                self.set_field(at, value);
+            }
         }
         for (target, origin) in effect.loads {
             let value = self.field(self.field_at(*origin));
             self.set_field(self.field_at(*target), value);
         }
         for (field, value) in effect.sets {
-            self.set_field(self.field_at(*field), *value);
+            for slot in self.elements(field.register, own) {
+                self.set_field(self.at(slot, self.field_info(*field), 0), *value);
+            }
         }
+    }
+
+    /// The elements of a register that an effect reaches: the one with the number that `[n]` stands for in its
+    /// condition, all of them where the condition has none.
+    fn elements(&self, register: u16, own: Option<u32>) -> impl Iterator<Item = Slot> + use<> {
+        let info = &self.meta.registers[register as usize];
+        let first = self.first[register as usize];
+        let (number, count) = match (info.cluster.or(info.array), own) {
+            (Some(array), Some(own)) if info.count() == array.count => (own.checked_sub(array.first), 1),
+            _ => (Some(0), info.count()),
+        };
+        let of = move |number: u32| (number..number + count).map(move |element| Slot(first + element as u16));
+        number.into_iter().flat_map(of)
     }
 }
