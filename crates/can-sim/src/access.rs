@@ -154,7 +154,7 @@ impl Core {
             fields: registers.info(slot).fields,
             value,
         });
-        let (time, controller) = (self.wire.now(), entry.name.clone());
+        let (time, controller) = (self.buses.now(), entry.name.clone());
         trace.push(AccessRecord { time, controller, write, offset, width, value, register });
     }
 }

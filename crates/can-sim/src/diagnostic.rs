@@ -95,6 +95,50 @@ pub enum DiagnosticKind {
         /// The largest legal value.
         max: u32,
     },
+    /// A field was given a value that is reserved.
+    ReservedValue {
+        /// The register.
+        register: &'static str,
+        /// The field.
+        field: &'static str,
+        /// The value.
+        value: u32,
+    },
+    /// Bits that are reserved were written as 1.
+    ReservedBits {
+        /// The register.
+        register: &'static str,
+        /// The bits.
+        bits: u32,
+    },
+    /// A register was accessed through a window that another part of the program has selected: an interrupt handler came
+    /// while the window was open, or has left it open.
+    WindowOfAnother {
+        /// The register that was reached.
+        register: String,
+        /// The window that is selected.
+        window: &'static str,
+        /// True if an interrupt handler made the access, false for the main program.
+        handler: bool,
+    },
+    /// A value that was read earlier was written back over what hardware has changed since.
+    StaleWrite {
+        /// The register.
+        register: String,
+        /// The fields that hardware had changed.
+        fields: Vec<&'static str>,
+        /// Their bits that were written over.
+        bits: u32,
+    },
+    /// No DMA channel has moved the words of a message.
+    TransferNotServed {
+        /// The request of the controller.
+        request: &'static str,
+        /// The message buffer.
+        buffer: u32,
+        /// Why.
+        because: &'static str,
+    },
     /// Two fields contradict each other.
     Contradiction {
         /// What is wrong, with the values.
@@ -243,6 +287,24 @@ impl fmt::Display for DiagnosticKind {
             }
             Self::ValueOutOfRange { register, field, value, min, max } => {
                 write!(f, "{register}.{field} is {value}, legal are {min} to {max}")
+            }
+            Self::ReservedValue { register, field, value } => {
+                write!(f, "{register}.{field} was given the reserved value {value}")
+            }
+            Self::ReservedBits { register, bits } => write!(f, "{register}: reserved bits {bits:#x} written as 1"),
+            Self::WindowOfAnother { register, window, handler } => {
+                let who = if *handler { "an interrupt handler" } else { "the main program" };
+                write!(f, "{who} reached {register} through the window `{window}`, which it has not selected")
+            }
+            Self::StaleWrite { register, fields, bits } => {
+                let fields = fields.join(", ");
+                write!(
+                    f,
+                    "{register}: an old value was written over {fields} (bits {bits:#x}), which hardware had changed"
+                )
+            }
+            Self::TransferNotServed { request, buffer, because } => {
+                write!(f, "the words of buffer {buffer} were not moved on request {request}: {because}")
             }
             Self::Contradiction { what } => f.write_str(what),
             Self::BitTiming(error) => write!(f, "the bit timing makes no node: {error}"),

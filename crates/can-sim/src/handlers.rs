@@ -30,6 +30,7 @@ struct Handler {
 pub(crate) struct Handlers {
     list: RefCell<Vec<Handler>>,
     running: Cell<bool>,
+    calls: Cell<u64>,
 }
 
 /// Entries of a handler in a row after which it is called a storm.
@@ -68,10 +69,10 @@ impl Handlers {
                 drop(list);
                 let storm = match call {
                     Call::Changes => {
-                        act(sim, change.active);
+                        self.call(sim, change.active, &mut act);
                         false
                     }
-                    Call::Active => stormed || Self::hold(sim, change.controller, change.line, &mut act),
+                    Call::Active => stormed || self.hold(sim, change.controller, change.line, &mut act),
                 };
                 let handler = &mut self.list.borrow_mut()[index];
                 handler.act = Some(act);
@@ -81,13 +82,20 @@ impl Handlers {
         self.running.set(false);
     }
 
+    fn call(&self, sim: &Sim, active: bool, act: &mut Act) {
+        self.calls.set(self.calls.get() + 1);
+        sim.set_handler(Some(self.calls.get()));
+        act(sim, active);
+        sim.set_handler(None);
+    }
+
     /// Calls a handler as long as its line is active; returns true if that does not end.
-    fn hold(sim: &Sim, controller: usize, line: usize, act: &mut Act) -> bool {
+    fn hold(&self, sim: &Sim, controller: usize, line: usize, act: &mut Act) -> bool {
         for _ in 0..STORM {
             if !sim.line_level(controller, line) {
                 return false;
             }
-            act(sim, true);
+            self.call(sim, true, act);
         }
         if sim.line_level(controller, line) {
             sim.report_storm(controller, line, STORM);

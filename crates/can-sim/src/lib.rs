@@ -30,6 +30,7 @@ struct Readme;
 mod access;
 mod bus;
 mod bus_log;
+mod buses;
 mod diagnostic;
 pub mod dspic33_canfd;
 pub mod dspic33_ecan;
@@ -47,6 +48,7 @@ mod trace;
 
 pub use bus::{MemoryBus, RegisterBus};
 pub use bus_log::BusEntry;
+pub use buses::BusId;
 pub use can_wire::Time;
 pub use diagnostic::{Bits, Diagnostic, DiagnosticKind, OnDiagnostic};
 pub use memory::{Memory, MemoryId};

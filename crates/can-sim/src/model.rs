@@ -18,6 +18,8 @@ pub struct Context<'a> {
     pub node: NodeId,
     /// The bus.
     pub wire: &'a mut Wire,
+    /// The interrupt handler that is running, a number of its own for each call; `None` in the main program.
+    pub handler: Option<u64>,
     pub(crate) controller: &'a str,
     pub(crate) memories: &'a mut [Memory],
     pub(crate) diagnostics: &'a mut Diagnostics,

@@ -5,12 +5,15 @@ use std::collections::VecDeque;
 use can_frame::Frame;
 use can_wire::{Event, EventKind, NodeId, Time, Wire};
 
+use crate::buses::BusId;
+
 /// A node without a controller in a [`crate::Sim`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PeerId(pub(crate) usize);
 
 #[derive(Clone, Debug)]
 pub(crate) struct Peer {
+    pub(crate) bus: BusId,
     pub(crate) node: NodeId,
     pub(crate) queue: VecDeque<Frame>,
     pub(crate) received: Vec<(Time, Frame)>,
@@ -18,8 +21,8 @@ pub(crate) struct Peer {
 }
 
 impl Peer {
-    pub(crate) fn new(node: NodeId) -> Self {
-        Self { node, queue: VecDeque::new(), received: Vec::new(), sent: Vec::new() }
+    pub(crate) fn new(bus: BusId, node: NodeId) -> Self {
+        Self { bus, node, queue: VecDeque::new(), received: Vec::new(), sent: Vec::new() }
     }
 
     /// Requests the first waiting frame; in a state that does not allow it the frame keeps waiting.

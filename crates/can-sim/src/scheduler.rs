@@ -1,12 +1,12 @@
-//! The scheduler: joins the models, the wire and the host in one order of events.
+//! The scheduler: joins the models, the buses and the host in one order of events.
 
 use std::collections::VecDeque;
 
-use can_wire::{Event, NodeId, Time, Wire};
+use can_wire::{Mode, NodeConfig, NodeId, Time, TimingError, Wire};
 
 use crate::{
     access::AccessWidth,
-    bus_log::BusLog,
+    buses::{BusId, Buses, Owner},
     diagnostic::{Diagnostic, DiagnosticKind, Diagnostics},
     memory::{Memory, MemoryId},
     model::{Context, Model},
@@ -18,15 +18,10 @@ use crate::{
 pub(crate) struct Entry {
     pub(crate) name: String,
     pub(crate) model: Box<dyn Model>,
+    pub(crate) bus: BusId,
     pub(crate) node: NodeId,
     pub(crate) lines: u32,
     timer: Option<Time>,
-}
-
-#[derive(Clone, Copy)]
-enum Owner {
-    Controller(usize),
-    Peer(usize),
 }
 
 /// A line has changed its level.
@@ -47,56 +42,81 @@ pub(crate) enum Advanced {
 }
 
 pub(crate) struct Core {
-    pub(crate) wire: Wire,
+    pub(crate) buses: Buses,
     pub(crate) entries: Vec<Entry>,
     pub(crate) memories: Vec<Memory>,
     pub(crate) peers: Vec<Peer>,
-    owners: Vec<Owner>,
     pub(crate) diagnostics: Diagnostics,
-    pub(crate) log: BusLog,
     pub(crate) trace: Option<Vec<AccessRecord>>,
     pub(crate) changes: VecDeque<LineChange>,
+    pub(crate) handler: Option<u64>,
 }
 
 impl Core {
-    pub(crate) fn new(diagnostics: Diagnostics, log: BusLog) -> Self {
+    pub(crate) fn new(diagnostics: Diagnostics, log_limit: usize) -> Self {
         Self {
-            wire: Wire::new(),
+            buses: Buses::new(log_limit),
             entries: Vec::new(),
             memories: Vec::new(),
             peers: Vec::new(),
-            owners: Vec::new(),
             diagnostics,
-            log,
             trace: None,
             changes: VecDeque::new(),
+            handler: None,
         }
     }
 
-    pub(crate) fn add_controller(&mut self, name: String, node: NodeId, model: Box<dyn Model>) -> usize {
+    pub(crate) fn add_controller(
+        &mut self,
+        bus: BusId,
+        name: &str,
+        place: NodeConfig,
+        model: Box<dyn Model>,
+    ) -> Result<usize, TimingError> {
         let index = self.entries.len();
-        self.owners.push(Owner::Controller(index));
-        self.entries.push(Entry { name, model, node, lines: 0, timer: None });
+        let node = self.buses.get_mut(bus).add_node(place, Owner::Controller(index))?;
+        self.entries.push(Entry { name: name.to_owned(), model, bus, node, lines: 0, timer: None });
         self.with_model(index, |model, cx| model.attached(cx));
-        index
+        Ok(index)
     }
 
-    pub(crate) fn add_peer(&mut self, node: NodeId) -> usize {
-        self.owners.push(Owner::Peer(self.peers.len()));
-        self.peers.push(Peer::new(node));
-        self.peers.len() - 1
+    pub(crate) fn add_peer(&mut self, bus: BusId, config: NodeConfig) -> Result<usize, TimingError> {
+        let index = self.peers.len();
+        let bus_of_peer = self.buses.get_mut(bus);
+        let node = bus_of_peer.add_node(config, Owner::Peer(index))?;
+        bus_of_peer.wire.set_mode(node, Mode::Normal);
+        self.peers.push(Peer::new(bus, node));
+        Ok(index)
+    }
+
+    /// A peer, and its wire.
+    pub(crate) fn peer(&mut self, index: usize) -> (&mut Peer, &mut Wire) {
+        let peer = &mut self.peers[index];
+        let wire = &mut self.buses.get_mut(peer.bus).wire;
+        (peer, wire)
+    }
+
+    #[inline]
+    pub(crate) fn now(&self) -> Time {
+        self.buses.now()
     }
 
     /// Lets a model act, and takes notice of what that changed.
     #[inline]
     pub(crate) fn with_model<R>(&mut self, index: usize, act: impl FnOnce(&mut dyn Model, &mut Context<'_>) -> R) -> R {
-        let Self { entries, wire, memories, diagnostics, .. } = self;
-        let entry = &mut entries[index];
-        let mut cx =
-            Context { now: wire.now(), node: entry.node, wire, controller: &entry.name, memories, diagnostics };
-        let result = act(&mut *entry.model, &mut cx);
+        let (model, mut cx) = self.model(index);
+        let result = act(model, &mut cx);
         self.notice(index);
         result
+    }
+
+    #[inline]
+    fn model(&mut self, index: usize) -> (&mut dyn Model, Context<'_>) {
+        let Self { entries, buses, memories, diagnostics, handler, .. } = self;
+        let Entry { name, model, bus, node, .. } = &mut entries[index];
+        let wire = &mut buses.get_mut(*bus).wire;
+        let (now, node, controller, handler) = (wire.now(), *node, name.as_str(), *handler);
+        (&mut **model, Context { now, node, wire, handler, controller, memories, diagnostics })
     }
 
     fn notice(&mut self, index: usize) {
@@ -119,8 +139,11 @@ impl Core {
             let timers = self.entries.iter().enumerate().filter_map(|(index, entry)| Some((entry.timer?, index)));
             let timer = timers.min().filter(|(at, _)| *at <= limit);
             let until = timer.map_or(limit, |(at, _)| at);
-            if let Some(event) = self.wire.next_event(until) {
-                self.dispatch(&event);
+            if let Some((bus, owner, event)) = self.buses.next_event(until) {
+                match owner {
+                    Owner::Controller(index) => self.with_model(index, |model, cx| model.on_event(cx, &event)),
+                    Owner::Peer(index) => self.peers[index].on_event(&mut self.buses.get_mut(bus).wire, &event),
+                }
             } else if let Some((_, index)) = timer {
                 self.with_model(index, |model, cx| model.on_timer(cx));
             } else {
@@ -132,17 +155,8 @@ impl Core {
         }
     }
 
-    fn dispatch(&mut self, event: &Event) {
-        self.log.note(event);
-        match self.owners.get(event.node.index()) {
-            Some(Owner::Controller(index)) => self.with_model(*index, |model, cx| model.on_event(cx, event)),
-            Some(Owner::Peer(index)) => self.peers[*index].on_event(&mut self.wire, event),
-            None => {}
-        }
-    }
-
     pub(crate) fn report(&mut self, controller: &str, section: &'static str, kind: DiagnosticKind) {
-        let (time, controller) = (self.wire.now(), controller.to_owned());
+        let (time, controller) = (self.now(), controller.to_owned());
         self.diagnostics.report(Diagnostic { time, controller, kind, section });
     }
 
@@ -165,11 +179,8 @@ impl Core {
             return;
         }
         for index in 0..self.entries.len() {
-            let Self { entries, wire, memories, diagnostics, .. } = self;
-            let entry = &mut entries[index];
-            let (now, node, controller) = (wire.now(), entry.node, entry.name.as_str());
-            let mut cx = Context { now, node, wire, controller, memories, diagnostics };
-            entry.model.memory_written(&mut cx, id, offset / 4);
+            let (model, mut cx) = self.model(index);
+            model.memory_written(&mut cx, id, offset / 4);
         }
     }
 

@@ -1,13 +1,14 @@
-//! A simulation: controllers, memories and plain nodes on one bus, and the host's clock.
+//! A simulation: controllers, memories and plain nodes on one bus or several, and the host's clock.
 
-use std::{any::Any, cell::RefCell, collections::VecDeque, marker::PhantomData};
+use std::{any::Any, cell::RefCell, marker::PhantomData};
 
 use can_frame::Frame;
-use can_wire::{Mode, NodeConfig, NodeId, Time, TimingError, Wire};
+use can_wire::{NodeConfig, NodeId, Time, TimingError, Wire};
 
 use crate::{
     bus::{MemoryBus, RegisterBus},
-    bus_log::{BusEntry, BusLog},
+    bus_log::BusEntry,
+    buses::BusId,
     diagnostic::{Bits, Diagnostic, DiagnosticKind, Diagnostics, OnDiagnostic},
     handlers::Handlers,
     memory::{Memory, MemoryId},
@@ -67,12 +68,12 @@ impl SimBuilder {
     #[must_use]
     pub fn build(self) -> Sim {
         let diagnostics = Diagnostics { policy: self.on_diagnostic, list: Vec::new() };
-        let log = BusLog { entries: VecDeque::new(), limit: self.log_limit };
-        Sim { core: RefCell::new(Core::new(diagnostics, log)), handlers: Handlers::default(), cost: self.access_cost }
+        let core = Core::new(diagnostics, self.log_limit);
+        Sim { core: RefCell::new(core), handlers: Handlers::default(), cost: self.access_cost }
     }
 }
 
-/// Controllers, memories and plain nodes on one bus.
+/// Controllers, memories and plain nodes on one bus or several.
 ///
 /// Time moves with every access of the host, and with [`Sim::run_for`] and [`Sim::run_until`]. A run is deterministic.
 pub struct Sim {
@@ -107,35 +108,55 @@ impl Sim {
         MemoryId(core.memories.len() - 1)
     }
 
-    /// Adds a controller with a node on the bus. `place` is the node's clock and place on the bus; what the
+    /// Adds a bus beside the one that every simulation has; all share one time.
+    pub fn add_bus(&self) -> BusId {
+        self.core.borrow_mut().buses.add()
+    }
+
+    /// Adds a controller with a node on the first bus. `place` is the node's clock and place on the bus; what the
     /// controller's registers set is overwritten when it goes on the bus.
     ///
     /// # Errors
     /// A [`TimingError`] if `place` describes no node.
     pub fn add<M: Model>(&self, name: &str, place: NodeConfig, model: M) -> Result<Handle<M>, TimingError> {
-        let mut core = self.core.borrow_mut();
-        let node = core.wire.add_node(place)?;
-        let index = core.add_controller(name.to_owned(), node, Box::new(model));
+        self.add_on(BusId::default(), name, place, model)
+    }
+
+    /// The same on a bus of choice.
+    ///
+    /// # Errors
+    /// A [`TimingError`] if `place` describes no node.
+    pub fn add_on<M: Model>(
+        &self,
+        bus: BusId,
+        name: &str,
+        place: NodeConfig,
+        model: M,
+    ) -> Result<Handle<M>, TimingError> {
+        let index = self.core.borrow_mut().add_controller(bus, name, place, Box::new(model))?;
         Ok(Handle { index, model: PhantomData })
     }
 
-    /// Adds a node without controller in normal mode.
+    /// Adds a node without controller in normal mode to the first bus.
     ///
     /// # Errors
     /// A [`TimingError`] if `config` describes no node.
     pub fn add_peer(&self, config: NodeConfig) -> Result<PeerId, TimingError> {
-        let mut core = self.core.borrow_mut();
-        let node = core.wire.add_node(config)?;
-        let peer = core.add_peer(node);
-        core.wire.set_mode(node, Mode::Normal);
-        Ok(PeerId(peer))
+        self.add_peer_on(BusId::default(), config)
+    }
+
+    /// The same on a bus of choice.
+    ///
+    /// # Errors
+    /// A [`TimingError`] if `config` describes no node.
+    pub fn add_peer_on(&self, bus: BusId, config: NodeConfig) -> Result<PeerId, TimingError> {
+        self.core.borrow_mut().add_peer(bus, config).map(PeerId)
     }
 
     /// Queues a frame at a node without controller. It is sent again until it has arrived.
     pub fn peer_send(&self, peer: PeerId, frame: Frame) {
         let mut core = self.core.borrow_mut();
-        let Core { peers, wire, .. } = &mut *core;
-        let peer = &mut peers[peer.0];
+        let (peer, wire) = core.peer(peer.0);
         peer.queue.push_back(frame);
         if peer.queue.len() == 1 {
             peer.send(wire);
@@ -183,9 +204,14 @@ impl Sim {
         look(&mut self.core.borrow_mut().memories[id.0])
     }
 
-    /// Lets the wire be looked at, disturbed or traced.
+    /// Lets the first bus be looked at, disturbed or traced.
     pub fn with_wire<R>(&self, act: impl FnOnce(&mut Wire) -> R) -> R {
-        act(&mut self.core.borrow_mut().wire)
+        self.with_wire_of(BusId::default(), act)
+    }
+
+    /// Lets a bus be looked at, disturbed or traced.
+    pub fn with_wire_of<R>(&self, bus: BusId, act: impl FnOnce(&mut Wire) -> R) -> R {
+        act(&mut self.core.borrow_mut().buses.get_mut(bus).wire)
     }
 
     /// Looks at a model.
@@ -215,13 +241,13 @@ impl Sim {
     #[must_use]
     pub fn describe<M>(&self, controller: Handle<M>) -> String {
         let core = self.core.borrow();
-        core.entries[controller.index].model.describe(core.wire.now())
+        core.entries[controller.index].model.describe(core.now())
     }
 
     /// The present.
     #[must_use]
     pub fn now(&self) -> Time {
-        self.core.borrow().wire.now()
+        self.core.borrow().now()
     }
 
     /// Lets time pass.
@@ -281,21 +307,26 @@ impl Sim {
         core::mem::take(&mut self.core.borrow_mut().diagnostics.list)
     }
 
-    /// What was on the bus: the latest entries, oldest first.
+    /// What was on the first bus: the latest entries, oldest first.
     #[must_use]
     pub fn bus_log(&self) -> Vec<BusEntry> {
-        self.core.borrow().log.entries.iter().copied().collect()
+        self.bus_log_of(BusId::default())
     }
 
-    /// The frames on the bus, oldest first, with the node that sent each.
+    /// What was on a bus: the latest entries, oldest first.
+    #[must_use]
+    pub fn bus_log_of(&self, bus: BusId) -> Vec<BusEntry> {
+        self.core.borrow().buses.get(bus).log.entries.iter().copied().collect()
+    }
+
+    /// The frames on the first bus, oldest first, with the node that sent each.
     #[must_use]
     pub fn frames_on_bus(&self) -> Vec<(NodeId, Frame)> {
-        let core = self.core.borrow();
-        let frame = |entry: &BusEntry| match entry {
-            BusEntry::Frame { node, frame, .. } => Some((*node, *frame)),
+        let frame = |entry: BusEntry| match entry {
+            BusEntry::Frame { node, frame, .. } => Some((node, frame)),
             _ => None,
         };
-        core.log.entries.iter().filter_map(frame).collect()
+        self.bus_log().into_iter().filter_map(frame).collect()
     }
 
     /// Begins to record register accesses, or ends it; returns what was recorded.
@@ -330,6 +361,10 @@ impl Sim {
     pub(crate) fn write_memory(&self, id: MemoryId, offset: usize, width: Bits, value: u32) {
         self.elapse();
         self.core.borrow_mut().write_memory(id, offset, width, value);
+    }
+
+    pub(crate) fn set_handler(&self, handler: Option<u64>) {
+        self.core.borrow_mut().handler = handler;
     }
 
     pub(crate) fn next_line_change(&self) -> Option<LineChange> {

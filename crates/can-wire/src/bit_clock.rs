@@ -96,6 +96,7 @@ impl BitClock {
         self.next_sample_at = at.ceil();
     }
 
+    #[inline]
     pub(crate) fn segments(&self, data: bool) -> &Segments {
         if data { &self.data } else { &self.nominal }
     }
@@ -154,6 +155,14 @@ impl BitClock {
         self.data_before = false;
         self.data_after = false;
         self.may_sync = true;
+    }
+
+    /// True if an edge at `at` lies in the synchronization segment: at the right time.
+    #[inline]
+    pub(crate) fn expects_edge(&self, at: u64) -> bool {
+        let at = Fine::from_time(Time::from_ps(at));
+        let quantum = self.segments(self.data_after).quantum;
+        at >= self.start && at.is_within_first(self.start, quantum)
     }
 
     /// A recessive to dominant edge at the input. `driving` tells whether the node itself sends dominant in the bit

@@ -3,6 +3,7 @@
 /// A CRC register that takes the frame bit by bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Crc {
+    /// Aligned to the top of the word, as is the register: a step then needs no mask and no shift by the width.
     polynomial: u32,
     width: u32,
     register: u32,
@@ -19,36 +20,34 @@ impl Crc {
     /// CRC-15, for classic frames; starts at zero.
     #[must_use]
     pub const fn crc15() -> Crc {
-        Crc { polynomial: CRC15_POLYNOMIAL, width: 15, register: 0 }
+        Crc { polynomial: CRC15_POLYNOMIAL << (32 - 15), width: 15, register: 0 }
     }
 
     /// CRC-17, for FD frames of up to 16 data bytes. The ISO format starts with the top bit set, the earlier non-ISO
     /// format at zero.
     #[must_use]
     pub const fn crc17(iso: bool) -> Crc {
-        Crc { polynomial: CRC17_POLYNOMIAL, width: 17, register: if iso { 1 << 16 } else { 0 } }
+        Crc { polynomial: CRC17_POLYNOMIAL << (32 - 17), width: 17, register: if iso { 1 << 31 } else { 0 } }
     }
 
     /// CRC-21, for FD frames of more than 16 data bytes. The ISO format starts with the top bit set, the earlier
     /// non-ISO format at zero.
     #[must_use]
     pub const fn crc21(iso: bool) -> Crc {
-        Crc { polynomial: CRC21_POLYNOMIAL, width: 21, register: if iso { 1 << 20 } else { 0 } }
+        Crc { polynomial: CRC21_POLYNOMIAL << (32 - 21), width: 21, register: if iso { 1 << 31 } else { 0 } }
     }
 
     /// Takes the next bit of the frame, `true` for recessive.
     #[inline]
     pub const fn push(&mut self, bit: bool) {
-        let top = self.register >> (self.width - 1) & 1;
-        let feedback = top ^ bit as u32;
-        let mask = (1 << self.width) - 1;
-        self.register = (self.register << 1 & mask) ^ (self.polynomial & feedback.wrapping_neg());
+        let feedback = self.register >> 31 ^ bit as u32;
+        self.register = self.register << 1 ^ (self.polynomial & feedback.wrapping_neg());
     }
 
     /// The CRC sequence, most significant bit first on the bus.
     #[must_use]
     pub const fn value(self) -> u32 {
-        self.register
+        self.register >> (32 - self.width)
     }
 
     /// Bits of the sequence: 15, 17 or 21.

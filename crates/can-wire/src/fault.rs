@@ -262,6 +262,12 @@ impl NodeFaults {
         }
     }
 
+    /// True if nothing acts on the bits that are sampled and driven now: neither noise nor a fault by place.
+    #[inline]
+    pub(crate) fn leaves_bits_alone(&self) -> bool {
+        !self.invert_seen && self.driven.is_none() && self.driven_next.is_none() && self.noise.is_none()
+    }
+
     pub(crate) fn is_quiet(&self) -> bool {
         !self.invert_seen
             && self.driven.is_none()

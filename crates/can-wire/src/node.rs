@@ -1,11 +1,12 @@
 //! One node: protocol engine, bit-timing unit and pins.
 
 mod delay;
+mod plain;
 
 use std::collections::VecDeque;
 
 use crate::{
-    BitRecord, DelaySource, EventKind, FdSupport, Field, Level, Mode, NodeConfig, Position, Time,
+    BitRecord, FdSupport, Field, Level, Mode, NodeConfig, Position, Time,
     bit_clock::{BitClock, Effect},
     fault::NodeFaults,
     protocol::{Context, Options, Protocol},
@@ -45,7 +46,9 @@ pub(crate) struct Node {
     /// Level that the bit-stream wants on the output since the last boundary; looped back in some modes.
     pub(crate) driven: bool,
     /// When the output follows the next bit of the engine.
-    pub(crate) drive_at: Option<Fine>,
+    drive_at: Fine,
+    /// The key of that change in the order of events, [`NEVER`] if there is none.
+    drive_key: u64,
     /// Level at the receive input.
     pub(crate) rx: bool,
     /// Level of the bus at the receive input before faults.
@@ -85,7 +88,8 @@ impl Node {
             config,
             pin: true,
             driven: true,
-            drive_at: None,
+            drive_at: Fine::default(),
+            drive_key: NEVER,
             rx: true,
             raw_rx: true,
             arrivals: VecDeque::new(),
@@ -109,17 +113,20 @@ impl Node {
     /// outputs have changed before anyone samples.
     #[inline]
     pub(crate) fn next_key(&self) -> u64 {
-        let mut key = if self.is_active() { self.clock.next_sample_at << 1 | 1 } else { NEVER };
-        if self.drive_at.is_none() && self.late.is_empty() && self.arrivals.is_empty() {
+        let key = if self.is_active() { self.clock.next_sample_at << 1 | 1 } else { NEVER };
+        let key = key.min(self.drive_key);
+        if self.late.is_empty() && self.arrivals.is_empty() {
             return key;
         }
+        self.key_with_arrivals(key)
+    }
+
+    #[inline(never)]
+    fn key_with_arrivals(&self, mut key: u64) -> u64 {
         if self.is_active()
             && let Some(late) = self.late.front()
         {
             key = key.min(late.at.ceil() << 1 | 1);
-        }
-        if let Some(at) = self.drive_at {
-            key = key.min(at.ceil() << 1);
         }
         if let Some(at) = self.arrivals.front().map(|arrival| arrival.at)
             && (self.eager || self.watches_edges())
@@ -129,10 +136,23 @@ impl Node {
         key
     }
 
+    /// When the output follows the next bit of the engine, if it changes.
+    pub(crate) fn drive_at(&self) -> Option<Fine> {
+        (self.drive_key != NEVER).then_some(self.drive_at)
+    }
+
+    #[inline]
+    fn set_drive(&mut self, at: Fine) {
+        self.drive_at = at;
+        self.drive_key = at.ceil() << 1;
+    }
+
+    #[inline]
     fn is_active(&self) -> bool {
         self.awake || !self.protocol.is_sleeping()
     }
 
+    #[inline]
     fn watches_edges(&self) -> bool {
         self.clock.may_sync || self.measuring.is_some() || self.wake_armed || self.filtered_edge.is_some()
     }
@@ -155,6 +175,9 @@ impl Node {
     #[inline]
     pub(crate) fn bus_changed(&mut self, at: u64, level: bool, now: u64) -> bool {
         if at == now && self.arrivals.is_empty() {
+            if self.takes_quietly(at, level) {
+                return false;
+            }
             let matters = if level { self.filtered_edge.is_some() } else { self.watches_edges() };
             self.input(Time::from_ps(at), level);
             return matters;
@@ -230,26 +253,26 @@ impl Node {
         if self.protocol.options.fd != FdSupport::Classic {
             self.protocol.edge_while_integrating();
         }
-        let output_pending = self.drive_at.is_some();
+        let output_pending = self.drive_key != NEVER;
         if let Effect::Moved { output_from } = self.clock.edge(at, sync, !self.driven && before_sample)
             && output_pending
             && !before_sample
         {
-            self.drive_at = Some(output_from);
+            self.set_drive(output_from);
         }
         self.awake |= self.protocol.field == Field::Idle;
     }
 
     /// An output change that is due at `now`.
     pub(crate) fn drive(&mut self, now: u64) -> Output {
-        if self.drive_at.is_none_or(|at| at.ceil() > now) {
+        if self.drive_key > now << 1 {
             return Output::None;
         }
-        let at = self.drive_at.take();
+        self.drive_key = NEVER;
         self.driven = self.protocol.drive;
         self.faults.next_bit();
         if !self.driven && self.starts_measurement() {
-            self.measuring = at;
+            self.measuring = Some(self.drive_at);
             self.early_edge = false;
             self.delay = None;
         }
@@ -325,53 +348,12 @@ impl Node {
         (true, Some(record))
     }
 
-    /// The secondary sample points that are due.
-    fn compare_late(&mut self, now: u64) {
-        while let Some(late) = self.late.front().copied().filter(|late| late.at.ceil() <= now) {
-            self.late.pop_front();
-            if self.rx != late.level && self.late_error.is_none() {
-                self.late_error = Some((late.position, Level::from_bit(late.level)));
-            }
-        }
-    }
-
     /// The output follows the engine at the next bit boundary, if anything changes there.
     pub(crate) fn schedule_drive(&mut self) {
-        let changes = self.protocol.drive != self.driven || self.faults.drive_changes();
-        self.drive_at = changes.then_some(self.clock.start);
-    }
-
-    /// Bits of the data phase are compared at their secondary sample points.
-    fn prepare_late_sample(&mut self, sampled: Position, cx: &mut Context<'_>) {
-        let Some(compensation) = self.config.delay_compensation else {
-            return;
-        };
-        let brs = sampled.field == Field::Brs && !sampled.stuff && self.protocol.sending;
-        if brs && self.early_edge {
-            self.end_filter_window(cx.now);
-        }
-        let delay = match compensation.delay {
-            DelaySource::Fixed(delay) => u64::from(delay),
-            // An edge that has not come back yet is beyond every limit.
-            DelaySource::Measured { .. } => self.delay.unwrap_or(u64::from(u16::MAX)),
-        };
-        let secondary = compensation.secondary_sample_point(delay);
-        if brs {
-            self.measuring = None;
-            self.early_edge = false;
-            cx.emit(EventKind::TransmitterDelay {
-                delay: delay.min(u64::from(u16::MAX)) as u16,
-                secondary_sample_point: secondary as u16,
-            });
-        }
-        if !self.protocol.relies_on_own_bits() {
-            self.late.clear();
-        } else if self.protocol.field != Field::CrcDelimiter || self.protocol.stuff_next {
-            self.late.push_back(Late {
-                at: self.clock.start.plus(secondary, self.clock.clock),
-                level: self.protocol.drive,
-                position: self.protocol.position(),
-            });
+        if self.protocol.drive != self.driven || self.faults.drive_changes() {
+            self.set_drive(self.clock.start);
+        } else {
+            self.drive_key = NEVER;
         }
     }
 
@@ -398,7 +380,7 @@ impl Node {
     /// The output follows the engine at once, not at a bit boundary: the mode has changed.
     pub(crate) fn follow_engine(&mut self, now: Time) -> Output {
         self.driven = self.protocol.drive;
-        self.drive_at = None;
+        self.drive_key = NEVER;
         self.apply_input(now);
         self.pin_output()
     }
@@ -428,7 +410,7 @@ impl Node {
         }
         self.driven = true;
         self.pin = true;
-        self.drive_at = None;
+        self.drive_key = NEVER;
         self.awake = false;
     }
 }

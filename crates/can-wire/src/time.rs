@@ -99,6 +99,7 @@ pub(crate) struct Fine(u128);
 const FRACTION_BITS: u32 = 32;
 
 impl Fine {
+    #[inline]
     pub(crate) fn from_time(time: Time) -> Fine {
         Fine(u128::from(time.0) << FRACTION_BITS)
     }

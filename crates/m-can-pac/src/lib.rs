@@ -1054,6 +1054,38 @@ pub mod manual_notes {
     //!
     //! Alternatives: The request is cancelled and reported in TXBCF.
     //!
+    //! ## `debug_message_out_of_order`
+    //!
+    //! Is a debug message stored that comes in the wrong order, such as C in idle state or after A?
+    //!
+    //! About [`RXF1S.DMS`](crate::registers::Rxf1s::dms).
+    //!
+    //! Nearest words: Matching messages are stored into their Rx Buffers; with a message missing the process is restarted.
+    //!
+    //! Choice: Only a message that takes the state machine on is stored. What has been stored in order is then never overwritten by a message that does not belong to it.
+    //!
+    //! Alternatives: Every matching message is stored, and only the DMA request depends on the order.
+    //!
+    //! ## `partly_stored_message`
+    //!
+    //! Which words of an Rx Buffer or FIFO element change when a message is discarded because of an error in its end?
+    //!
+    //! About [`NDAT1`](crate::registers::Ndat1), [`NDAT2`](crate::registers::Ndat2), [`RXF0S`](crate::registers::Rxf0s), [`RXF1S`](crate::registers::Rxf1s).
+    //!
+    //! Nearest words: The element is overwritten in part, in portions of 32 bits; index and New Data flag stay.
+    //!
+    //! Choice: Both header words and every complete word of data received so far.
+    //!
+    //! ## `valid_frame_code`
+    //!
+    //! Does a valid frame with bit rate switching also change LEC?
+    //!
+    //! About [`PSR.LEC`](crate::registers::Psr::lec), [`PSR.DLEC`](crate::registers::Psr::dlec).
+    //!
+    //! Nearest words: Once such a frame has reached its data phase the next event, an error or a valid frame, is shown in DLEC instead of LEC.
+    //!
+    //! Choice: It sets DLEC alone; LEC keeps its value.
+    //!
     //! ## `message_ram_access_width`
     //!
     //! Which access widths may the Host use on the Message RAM?

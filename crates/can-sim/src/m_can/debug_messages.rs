@@ -27,7 +27,7 @@ impl MCanModel {
             (A_B, RxBufferUse::DebugC) => (A_B_C, true),
             // T5, debug_state_transition_t5.
             (A_B, RxBufferUse::DebugA) if self.config.choices.debug_a_restarts => (A, true),
-            // T3, T5, and B or C in idle: the process is restarted.
+            // T3, T5, and B or C in idle, debug_message_out_of_order: the process is restarted.
             _ => (IDLE, false),
         }
     }

@@ -107,7 +107,8 @@ impl MCanModel {
         }
     }
 
-    /// 2.3.14: once a frame has reached its data phase, the next event is reported in DLEC, also one in its end.
+    /// 2.3.14, `valid_frame_code`: once a frame has reached its data phase, the next event is reported in DLEC, also one
+    /// in its end.
     fn reached_data_phase(&self, cx: &mut Context<'_>, error: &BusError) -> bool {
         let behind = (Field::CrcDelimiter..=Field::Eof).contains(&error.position.field);
         behind && cx.wire.partial_frame(cx.node).frame.is_some_and(|frame| frame.bit_rate_switch())

@@ -99,7 +99,8 @@ impl MCanModel {
         self.raise(cx, Ir::HPM);
     }
 
-    /// 3.4.1: storing had begun when the error came: the element is partly overwritten, indices and flags stay.
+    /// 3.4.1, `partly_stored_message`: storing had begun when the error came: the element is partly overwritten, indices
+    /// and flags stay.
     pub(super) fn reception_failed(&mut self, cx: &mut Context<'_>, error: &BusError) {
         if error.role != Role::Receiver || !error.position.field.is_in_frame() {
             return;

@@ -1,6 +1,6 @@
 //! What states of the registers do to other registers.
 
-use regbus::meta::{Effect, FieldRef};
+use regbus::meta::{Effect, FieldRef, Index};
 
 use super::{FieldAt, RegisterFile, Slot, conditions};
 
@@ -48,8 +48,7 @@ impl Effects {
         if effect.holds {
             let targets = effect.resets_fields.iter().chain(effect.sets.iter().map(|(field, _)| field));
             let moved = effect.loads.iter().flat_map(|(target, origin)| [target, origin]);
-            let fields = targets.chain(moved).map(|field| field.register);
-            let registers = effect.resets.iter().copied().chain(fields);
+            let registers = targets.chain(moved).map(|field| field.register).chain(effect.resets.iter().copied());
             slots.extend(registers.flat_map(|register| file.elements(register, own)));
         }
         slots.sort_unstable();
@@ -125,33 +124,47 @@ impl RegisterFile {
             }
         }
         for field in effect.resets_fields {
-            for slot in self.elements(field.register, own) {
-                let at = self.at(slot, self.field_info(*field), 0);
-                let value = self.reset_value(slot) >> at.lsb;
+            for at in self.targets(*field, own) {
+                let value = self.reset_value(at.slot) >> at.lsb;
                 self.set_field(at, value);
             }
         }
         for (target, origin) in effect.loads {
-            let value = self.field(self.field_at(*origin));
-            self.set_field(self.field_at(*target), value);
+            let value = self.field(self.target(*origin, own));
+            self.set_field(self.target(*target, own), value);
         }
         for (field, value) in effect.sets {
-            for slot in self.elements(field.register, own) {
-                self.set_field(self.at(slot, self.field_info(*field), 0), *value);
+            for at in self.targets(*field, own) {
+                self.set_field(at, *value);
             }
         }
     }
 
-    /// The elements of a register that an effect reaches: the one with the number that `[n]` stands for in its
-    /// condition, all of them where the condition has none.
+    /// Where an effect acts: on the element or lane with the number that `[n]` stands for in its condition, and in all
+    /// elements where the condition has none.
+    fn targets(&self, field: FieldRef, own: Option<u32>) -> impl Iterator<Item = FieldAt> + use<> {
+        let first = self.target(field, own);
+        let (own, info) = (own.map(|_| first), self.field_info(field));
+        let elements = self.elements(field.register, None).map(move |slot| FieldAt { slot, ..first });
+        debug_assert!(own.is_some() || info.lanes == 1, "{} has lanes and no number", info.name);
+        own.into_iter().chain(elements.filter(move |_| own.is_none()))
+    }
+
+    /// The elements of a register: the one with the number that `[n]` stands for, all of them without a number.
     fn elements(&self, register: u16, own: Option<u32>) -> impl Iterator<Item = Slot> + use<> {
         let info = &self.meta.registers[register as usize];
         let first = self.first[register as usize];
-        let (number, count) = match (info.cluster.or(info.array), own) {
+        let (from, count) = match (info.cluster.or(info.array), own) {
             (Some(array), Some(own)) if info.count() == array.count => (own.checked_sub(array.first), 1),
             _ => (Some(0), info.count()),
         };
-        let of = move |number: u32| (number..number + count).map(move |element| Slot(first + element as u16));
-        number.into_iter().flat_map(of)
+        let of = move |from: u32| (from..from + count).map(move |element| Slot(first + element as u16));
+        from.into_iter().flat_map(of)
+    }
+
+    /// Of a repeated field on the one with the number that `[n]` stands for.
+    fn target(&self, field: FieldRef, own: Option<u32>) -> FieldAt {
+        let numbered = own.and_then(|_| self.numbered(field, Index::Own, own));
+        numbered.unwrap_or_else(|| self.field_at(field))
     }
 }

@@ -205,3 +205,18 @@ fn the_trace_decodes_accesses() {
     assert!(lines[2].contains("write 0x0d0 = 0x00000001 TXBAR"), "{}", lines[2]);
     assert!(sim.describe(can.id).contains("TXBC { TFQM: fifo"));
 }
+
+/// The counters of ECR are taken for each other: a node that nobody acknowledges seems to receive badly, and the driver
+/// looks for the fault at the wrong end. A transmitter that is not acknowledged counts to 128, which seven bits of REC
+/// cannot even show.
+#[test]
+fn the_error_counters_swapped() {
+    let sim = Sim::new();
+    let can = add(&sim, "can0").run(&sim, &SETUP);
+    can.send(&sim, 0, &frame("123#"));
+    sim.run_for(FRAME * 40);
+    let ecr = can.regs(&sim).ecr().read();
+    assert_eq!((ecr.tec(), ecr.rec(), ecr.rp()), (128, 0, false), "error passive by transmitting alone");
+    let swapped = |word: u32| (word >> 8 & 0x7F, word & 0x7F);
+    assert_eq!(swapped(ecr.bits()), (0, 0), "as if there were no errors at all");
+}

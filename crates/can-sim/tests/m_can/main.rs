@@ -6,6 +6,8 @@ mod choices;
 mod exchange;
 mod known_bugs;
 mod laws;
+#[path = "../laws_of/mod.rs"]
+mod laws_of;
 mod modes;
 mod rx;
 mod silicon;

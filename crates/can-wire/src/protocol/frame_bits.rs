@@ -37,6 +37,26 @@ impl Protocol {
         }
     }
 
+    /// [`Protocol::frame_bit`] for most bits of a frame: a bit of the data field, neither a stuff bit nor the last one,
+    /// seen as it was sent. Returns false, with nothing done, if it is another.
+    #[inline]
+    pub(super) fn data_bit(&mut self, bit: bool) -> bool {
+        let index = self.bit;
+        let ends_byte = index % 8 == 7;
+        let unexpected = bit != self.drive && (self.sending || bit);
+        let last = ends_byte && self.incoming.bytes + 1 == self.incoming.len;
+        if self.stuff_next || unexpected || last {
+            return false;
+        }
+        self.count_run(bit);
+        self.checks.push(bit);
+        self.bit = index + 1;
+        self.incoming.push_data(bit, index);
+        self.stuff_next = self.run == STUFF_AFTER;
+        self.drive = !self.sending || if self.stuff_next { !bit } else { self.data_bit_to_send() };
+        true
+    }
+
     /// The start of frame was sampled, by whichever node sent it.
     pub(super) fn start_of_frame(&mut self, role: Role, cx: &mut Context<'_>) {
         self.role = role;
@@ -156,6 +176,7 @@ impl Protocol {
         }
     }
 
+    #[inline]
     fn count_run(&mut self, bit: bool) {
         self.run = if bit == self.last { self.run + 1 } else { 1 };
         self.last = bit;

@@ -104,6 +104,8 @@ impl Protocol {
             // The error state at the start of the transmission goes out with the frame.
             let esi = frame.error_state_indicator() || self.confinement.state == ErrorState::Passive;
             self.outgoing = frame.with_error_state_indicator(esi);
+            self.outgoing_data = [0xFF; 64];
+            self.outgoing_data[..frame.len()].copy_from_slice(frame.data_bytes());
             self.sending = true;
             self.frames_sent += 1;
         }

@@ -90,6 +90,8 @@ pub(crate) struct Protocol {
     pub(crate) request: Option<Frame>,
     pub(crate) overload_requests: u8,
     pub(crate) outgoing: Frame,
+    /// Its data bytes, recessive beyond them.
+    outgoing_data: [u8; 64],
     /// Frames this node has started to send, and starts of frame it has seen; faults count them.
     pub(crate) frames_sent: u64,
     pub(crate) frames_seen: u64,
@@ -138,6 +140,7 @@ impl Protocol {
             request: None,
             overload_requests: 0,
             outgoing: nothing,
+            outgoing_data: [0xFF; 64],
             frames_sent: 0,
             frames_seen: 0,
             incoming: Incoming::new(),
@@ -165,8 +168,26 @@ impl Protocol {
                 let kind = if level.is_dominant() { ErrorKind::Bit0 } else { ErrorKind::Bit1 };
                 self.raise(kind, position, cx);
             }
-            _ if self.field.is_in_frame() => self.frame_bit(bit, cx),
-            _ => self.other_bit(bit, cx),
+            _ => return self.sample_plain(bit, cx),
+        }
+        self.drive = self.next_drive();
+    }
+
+    /// [`Protocol::sample`] without a secondary sample point.
+    #[inline]
+    pub(crate) fn sample_plain(&mut self, bit: bool, cx: &mut Context<'_>) {
+        if self.field == Field::Data && self.data_bit(bit) {
+            return;
+        }
+        self.other_than_data(bit, cx);
+    }
+
+    #[inline(never)]
+    fn other_than_data(&mut self, bit: bool, cx: &mut Context<'_>) {
+        if self.field.is_in_frame() {
+            self.frame_bit(bit, cx);
+        } else {
+            self.other_bit(bit, cx);
         }
         self.drive = self.next_drive();
     }
@@ -183,6 +204,7 @@ impl Protocol {
 
     /// What an edge does now. `before_sample` tells whether it falls before the sample point of the bit that is
     /// sampled next, or already into the phase segment 2 of the bit before.
+    #[inline]
     pub(crate) fn sync(&self, before_sample: bool) -> Sync {
         match self.field {
             Field::Off => Sync::None,
@@ -204,7 +226,12 @@ impl Protocol {
         }
     }
 
+    #[inline]
     pub(crate) fn is_sleeping(&self) -> bool {
+        self.field <= Field::Idle && self.is_resting()
+    }
+
+    fn is_resting(&self) -> bool {
         match self.field {
             Field::Off => true,
             Field::Idle => (self.request.is_none() || !self.mode.can_transmit()) && self.mode_at_idle.is_none(),
@@ -221,6 +248,7 @@ impl Protocol {
         }
     }
 
+    #[inline]
     fn enter(&mut self, field: Field) {
         self.field = field;
         self.bit = 0;

@@ -43,13 +43,16 @@ impl Protocol {
             Field::Brs => frame.bit_rate_switch(),
             Field::Esi => matches!(frame.format(), Format::Fd(flags) if flags.esi),
             Field::Dlc => frame.dlc().code() >> (3 - bit) & 1 == 1,
-            Field::Data => {
-                frame.data_bytes().get(usize::from(self.bit / 8)).is_none_or(|byte| byte >> (7 - bit % 8) & 1 == 1)
-            }
+            Field::Data => self.data_bit_to_send(),
             Field::StuffCount => super::stuff_count_field(self.checks.stuff_bits) >> (3 - bit) & 1 == 1,
             Field::Crc => self.crc_expected >> (self.checks.crc().width() - 1 - bit) & 1 == 1,
             _ => true,
         }
+    }
+
+    #[inline]
+    pub(super) fn data_bit_to_send(&self) -> bool {
+        self.outgoing_data.get(usize::from(self.bit / 8)).is_none_or(|byte| byte >> (7 - self.bit % 8) & 1 == 1)
     }
 
     /// Compares what was sent with what was seen (ISO 11898-1:2015, 10.10 "bit error").

@@ -35,6 +35,12 @@ impl FastPath {
         self.planned
     }
 
+    /// When the plan delivers its next event or ends, if there is one.
+    pub(super) fn next_due(&self) -> Option<u64> {
+        let plan = self.plan.as_ref().filter(|_| self.planned)?;
+        Some(plan.events.get(plan.delivered).map_or(plan.end, |event| event.time.as_ps()))
+    }
+
     /// True once every receiver of the planned frame has sampled its start. Before, a request could still put another
     /// node into the arbitration.
     pub(super) fn has_started(&self) -> bool {

@@ -145,6 +145,22 @@ impl Wire {
         }
     }
 
+    /// No event comes before this time unless a request makes one; [`Time::MAX`] if none will come at all. At this time
+    /// something happens, though perhaps nothing that is an event.
+    #[must_use]
+    pub fn next_due(&self) -> Time {
+        if !self.events.is_empty() {
+            return self.now();
+        }
+        Time::from_ps(self.fast.next_due().or_else(|| self.next_time()).unwrap_or(Time::MAX.as_ps()))
+    }
+
+    /// Lets time pass to `until`, but not beyond [`Wire::next_due`]: for several buses that share one time.
+    pub fn wait_until(&mut self, until: Time) {
+        let until = until.min(self.next_due());
+        self.now = self.now.max(until.as_ps());
+    }
+
     /// Runs until `limit` and hands every event to `handler`, which may place requests.
     pub fn run_until(&mut self, limit: Time, mut handler: impl FnMut(&mut Wire, Event)) {
         while let Some(event) = self.next_event(limit) {
@@ -238,9 +254,23 @@ impl Wire {
         self.after_step(index);
     }
 
-    #[inline]
+    #[inline(always)]
     fn step_sample(&mut self, index: usize) {
         self.fast.statistics.steps += 1;
+        let now = self.now;
+        let node = &mut self.nodes[index];
+        if self.bit_faults.is_empty() && !self.tracer.bits && !self.tracer.levels && node.is_plain() {
+            let mut cx = Context { now: Time::from_ps(now), node: NodeId(index as u16), events: &mut self.events };
+            let key = node.sample_plain(now, &mut cx);
+            self.schedule.set(index, key);
+        } else {
+            self.step_sample_with_care(index);
+        }
+    }
+
+    /// The sample point of a node that is traced, has a fault near, or compensates its delay.
+    #[inline(never)]
+    fn step_sample_with_care(&mut self, index: usize) {
         let sampled = if self.tracer.bits {
             self.step_sample_recorded(index)
         } else {
@@ -270,6 +300,7 @@ impl Wire {
     }
 
     /// A node's output has changed; it reaches the bus after the node's transmit delay.
+    #[inline]
     fn put_out(&mut self, index: usize, output: Output) {
         let Output::Pin(level) = output else { return };
         if self.tracer.levels {
@@ -288,6 +319,7 @@ impl Wire {
         }
     }
 
+    #[inline]
     fn contribute(&mut self, index: usize, level: bool) {
         // What was under way when the node was cut off does not arrive.
         let level = level || self.nodes[index].cut;
@@ -312,7 +344,7 @@ impl Wire {
     }
 
     /// Whatever has happened to a node: its next event, its input in the trace, a wake-up.
-    #[inline]
+    #[inline(always)]
     fn after_step(&mut self, index: usize) {
         let node = &mut self.nodes[index];
         self.schedule.set(index, node.next_key());

@@ -164,7 +164,7 @@ impl Wire {
         let now = self.now;
         let node = &self.nodes[sender];
         let protocol = &node.protocol;
-        let starts = protocol.field == Field::Sof && protocol.sending && node.drive_at == Some(node.clock.start);
+        let starts = protocol.field == Field::Sof && protocol.sending && node.drive_at() == Some(node.clock.start);
         let clean = protocol.mode == Mode::Normal
             && protocol.confinement.tec == 0
             && protocol.confinement.rec == 0
@@ -211,7 +211,7 @@ impl Wire {
             }
             let node = &mut self.nodes[index];
             node.take_arrivals(now);
-            if node.cut || !node.is_asleep() || node.drive_at.is_some() || node.has_arrivals() || node.wake_armed {
+            if node.cut || !node.is_asleep() || node.drive_at().is_some() || node.has_arrivals() || node.wake_armed {
                 return None;
             }
             if !is_quiet(node) {
