@@ -34,7 +34,6 @@ pub(super) struct FifoSlots {
 /// The registers of one filter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FilterSlots {
-    pub(super) con: Slot,
     pub(super) enable: FieldAt,
     pub(super) target: FieldAt,
     pub(super) obj_l: Slot,
@@ -103,7 +102,6 @@ impl Arrays {
             };
             let of = |name| slot(name, u32::from(filter), 0);
             filters.push(FilterSlots {
-                con,
                 enable: field("FLTEN"),
                 target: field("FBP"),
                 obj_l: of("FLTOBJL"),
