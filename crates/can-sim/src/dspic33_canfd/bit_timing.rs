@@ -16,14 +16,10 @@ impl Dspic33CanfdModel {
     /// The node as the registers describe it.
     fn node_config(&self, place: NodeConfig, mode: OperationMode) -> NodeConfig {
         let con = self.con_l();
-        let (nominal_l, nominal_h) = (
-            pac::NbtcfgL::from_bits(self.word(self.r.nbtcfg_l)),
-            pac::NbtcfgH::from_bits(self.word(self.r.nbtcfg_h)),
-        );
-        let (data_l, data_h) = (
-            pac::DbtcfgL::from_bits(self.word(self.r.dbtcfg_l)),
-            pac::DbtcfgH::from_bits(self.word(self.r.dbtcfg_h)),
-        );
+        let (nominal_l, nominal_h) =
+            (pac::NbtcfgL::from_bits(self.word(self.r.nbtcfg_l)), pac::NbtcfgH::from_bits(self.word(self.r.nbtcfg_h)));
+        let (data_l, data_h) =
+            (pac::DbtcfgL::from_bits(self.word(self.r.dbtcfg_l)), pac::DbtcfgH::from_bits(self.word(self.r.dbtcfg_h)));
         let tdc_h = pac::TdcH::from_bits(self.word(self.r.tdc_h));
         // Registers 3-3 to 3-6: one more than every programmed value.
         let timing = |prescaler: u8, before: u8, after: u8, jump: u8| BitTiming {
@@ -96,7 +92,10 @@ impl Dspic33CanfdModel {
         if nominal_h.tseg1() == 0 {
             // ntseg1_minimum.
             let (register, field) = ("NBTCFGH", "TSEG1");
-            cx.report("5.3, Table 5-1", DiagnosticKind::ValueOutOfRange { register, field, value: 0, min: 1, max: 255 });
+            cx.report(
+                "5.3, Table 5-1",
+                DiagnosticKind::ValueOutOfRange { register, field, value: 0, min: 1, max: 255 },
+            );
         }
         let jumps = [("NBTCFGL", config.nominal), ("DBTCFGL", config.data)];
         for (register, timing) in jumps.into_iter().filter(|(_, timing)| timing.sjw > timing.phase_seg2) {

@@ -230,7 +230,7 @@ impl Dspic33CanfdModel {
     /// Registers 3-38 to 3-43: user addresses mean nothing in Configuration mode.
     pub(super) fn watch_address_reads(&mut self, cx: &mut Context<'_>, slot: Slot) {
         let r = &self.r;
-        let address = self.arrays.owner(slot) == Owner::Address
+        let address = matches!(self.arrays.owner(slot), Owner::Address(_))
             || [r.tefua_l, r.tefua_h, r.txqua_l, r.txqua_h].contains(&slot);
         if address && self.is_configuration() {
             let (register, because) = (self.regs.name(slot), "the module is in Configuration mode");

@@ -9,8 +9,8 @@ use dspic33_canfd_pac::{
     messages::{RxObjectR2, TxObjectT0, TxObjectT1, TxObjectT2},
 };
 
-use super::{Dspic33CanfdModel, tx::numbers};
-use crate::{layout::Placed, memory::Memory, trace::RegisterTouched};
+use super::{Dspic33CanfdModel, names::Owner, tx::numbers};
+use crate::{layout::Placed, memory::Memory, registers::Slot, trace::RegisterTouched};
 
 /// A received message in RAM (table 9-1).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -170,24 +170,41 @@ impl Dspic33CanfdModel {
         self.held(0, self.layout.tef).into_iter().map(event).collect()
     }
 
+    /// A FIFO that can send or receive something.
+    fn is_used(&self, number: u8) -> bool {
+        self.is_transmit(number) || self.is_filter_target(number)
+    }
+
+    fn is_worth_showing(&self, slot: Slot) -> bool {
+        match self.arrays.owner(slot) {
+            Owner::Control(number) | Owner::Size(number) | Owner::Status(number) | Owner::Address(number) => {
+                self.is_used(number)
+            }
+            Owner::FilterControl(_) | Owner::Module => true,
+        }
+    }
+
     /// Every register that differs from its reset value, decoded, then what no register tells.
     pub(super) fn dump(&self, now: Time) -> String {
         let mut text = format!("{} at {now}, node {:?}\n", self.regs.meta().title, self.modes.node);
         for slot in self.regs.slots() {
             let value = self.regs.get(slot);
-            if value != self.regs.reset_value(slot) {
+            if value != self.regs.reset_value(slot) && self.is_worth_showing(slot) {
                 let (name, fields) = (self.regs.name(slot), self.regs.info(slot).fields);
                 let _infallible = writeln!(text, "{value:#06x} {:?}", RegisterTouched { name, fields, value });
             }
         }
         let layout = self.compute_layout();
-        for section in core::iter::once(layout.tef).chain(layout.objects).filter(|section| section.count > 0) {
+        let fifos = (0..32_u8).zip(layout.objects).filter(|(number, _)| self.is_used(*number));
+        let sections = core::iter::once(layout.tef).chain(fifos.map(|(_, placed)| placed));
+        for section in sections.filter(|section| section.count > 0) {
             let (name, start, end) = (section.name, section.start, section.end());
             let _infallible = writeln!(text, "{name}: bytes {start:#06x} to {end:#06x}, {} objects", section.count);
         }
         for number in (0..32).filter(|number| self.fill(*number) > 0) {
             let (fill, depth) = (self.fill(number), self.depth(number));
-            let _infallible = writeln!(text, "{}: {fill} of {depth} in use", self.layout.objects[usize::from(number)].name);
+            let _infallible =
+                writeln!(text, "{}: {fill} of {depth} in use", self.layout.objects[usize::from(number)].name);
         }
         if self.fifos.rings[0].count > 0 {
             let _infallible = writeln!(text, "tef: {} of {} in use", self.fifos.rings[0].count, self.layout.tef.count);

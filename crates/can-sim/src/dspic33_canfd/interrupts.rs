@@ -13,11 +13,8 @@ const STATES: u16 = pac::FifoSta::TFERFFIF.union(pac::FifoSta::TFHRFHIF).union(p
 const OVERFLOW: u16 = pac::FifoSta::RXOVIF.bits();
 const ATTEMPTS: u16 = pac::FifoSta::TXATIF.bits();
 /// The same of the event FIFO (Registers 3-35 and 3-37).
-const EVENTS: u16 = pac::Tefsta::TEFOVIF
-    .union(pac::Tefsta::TEFFIF)
-    .union(pac::Tefsta::TEFHIF)
-    .union(pac::Tefsta::TEFNEIF)
-    .bits();
+const EVENTS: u16 =
+    pac::Tefsta::TEFOVIF.union(pac::Tefsta::TEFFIF).union(pac::Tefsta::TEFHIF).union(pac::Tefsta::TEFNEIF).bits();
 
 impl Dspic33CanfdModel {
     /// Sets main flags.

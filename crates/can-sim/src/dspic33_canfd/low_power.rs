@@ -95,7 +95,7 @@ impl Dspic33CanfdModel {
     }
 
     pub(super) fn wake_up_time_passed(&mut self, cx: &mut Context<'_>) {
-        if !self.low_power.filter_end.is_some_and(|at| at <= cx.now) {
+        if self.low_power.filter_end.is_none_or(|at| at > cx.now) {
             return;
         }
         self.low_power.filter_end = None;

@@ -12,9 +12,10 @@ use crate::{diagnostic::DiagnosticKind, layout::Placed, model::Context};
 
 /// Names of the sections, index 0 the queue.
 const NAMES: [&str; 32] = [
-    "txq", "fifo 1", "fifo 2", "fifo 3", "fifo 4", "fifo 5", "fifo 6", "fifo 7", "fifo 8", "fifo 9", "fifo 10", "fifo 11",
-    "fifo 12", "fifo 13", "fifo 14", "fifo 15", "fifo 16", "fifo 17", "fifo 18", "fifo 19", "fifo 20", "fifo 21",
-    "fifo 22", "fifo 23", "fifo 24", "fifo 25", "fifo 26", "fifo 27", "fifo 28", "fifo 29", "fifo 30", "fifo 31",
+    "txq", "fifo 1", "fifo 2", "fifo 3", "fifo 4", "fifo 5", "fifo 6", "fifo 7", "fifo 8", "fifo 9", "fifo 10",
+    "fifo 11", "fifo 12", "fifo 13", "fifo 14", "fifo 15", "fifo 16", "fifo 17", "fifo 18", "fifo 19", "fifo 20",
+    "fifo 21", "fifo 22", "fifo 23", "fifo 24", "fifo 25", "fifo 26", "fifo 27", "fifo 28", "fifo 29", "fifo 30",
+    "fifo 31",
 ];
 
 /// The sections in RAM, as the registers lay them out when Configuration mode is left.

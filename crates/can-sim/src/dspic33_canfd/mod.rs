@@ -168,7 +168,7 @@ impl Model for Dspic33CanfdModel {
             Owner::Control(number) => self.control_written(cx, access, number),
             Owner::Size(_) => self.scan(cx),
             Owner::Status(number) => self.combine(number),
-            Owner::Address => {}
+            Owner::Address(_) => {}
             Owner::FilterControl(first) => self.filters_enabled(cx, access, first),
             Owner::Module => self.module_written(cx, access),
         }

@@ -53,7 +53,7 @@ pub(super) enum Owner {
     /// FIFOSTAn.
     Status(u8),
     /// FIFOUAnL or FIFOUAnH.
-    Address,
+    Address(u8),
     /// FLTCON of two filters, the first of them given.
     FilterControl(u8),
 }
@@ -89,8 +89,8 @@ impl Arrays {
             own(fifo.con_l, Owner::Control(number));
             own(fifo.con_h, Owner::Size(number));
             own(fifo.sta, Owner::Status(number));
-            own(fifo.ua_l, Owner::Address);
-            own(fifo.ua_h, Owner::Address);
+            own(fifo.ua_l, Owner::Address(number));
+            own(fifo.ua_h, Owner::Address(number));
             fifos.push(fifo);
         }
         let mut filters = Vec::new();

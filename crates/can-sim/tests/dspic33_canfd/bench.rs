@@ -288,15 +288,12 @@ impl Can {
         let extension = u32::from(r0.eid()) | u32::from(r1.eid()) << 5;
         let id = match r2.ide() {
             IdentifierFormat::Base => Id::Standard(StandardId::new(r0.sid()).unwrap()),
-            IdentifierFormat::Extended => {
-                Id::Extended(ExtendedId::new(u32::from(r0.sid()) << 18 | extension).unwrap())
-            }
+            IdentifierFormat::Extended => Id::Extended(ExtendedId::new(u32::from(r0.sid()) << 18 | extension).unwrap()),
         };
         let format = match (r2.fdf(), r2.rtr()) {
-            (FrameFormat::CanFd, _) => Format::Fd(FdFlags {
-                brs: r2.brs() == DataPhaseRate::Data,
-                esi: r2.esi() == ErrorState::ErrorPassive,
-            }),
+            (FrameFormat::CanFd, _) => {
+                Format::Fd(FdFlags { brs: r2.brs() == DataPhaseRate::Data, esi: r2.esi() == ErrorState::ErrorPassive })
+            }
             (_, true) => Format::Remote,
             (_, false) => Format::Data,
         };

@@ -3,7 +3,10 @@
 use crate::bench::{Can, FRAME, Mode, TX8, TX64, fd, frame, ids, pair, pair_with};
 use can_sim::{PeerId, Sim, Time};
 use can_wire::{BitFault, Fault, Field, Frames, Position};
-use dspic33_canfd_pac::{enums::{ConLPxedis, PayloadSize}, registers as pac};
+use dspic33_canfd_pac::{
+    enums::{ConLPxedis, PayloadSize},
+    registers as pac,
+};
 
 fn bench() -> (Sim, Can, PeerId) {
     let (sim, can, peer) = pair();
@@ -168,6 +171,9 @@ fn kinds_of_errors() {
         (true, long, Field::Data, 17, D::DBIT0ERR),
     ] {
         let (sim, can, peer) = bench();
+        // A third node acknowledges what this one finds wrong.
+        sim.add_peer(can_wire::NodeConfig::new()).unwrap();
+        sim.run_for(FRAME);
         hit(&sim, can, field, bit, Frames::next());
         if own {
             can.send(&sim, 1, &message);
@@ -227,4 +233,26 @@ fn protocol_exception() {
         assert_eq!(can.diagnosis(&sim).nformerr(), is_error);
         assert_eq!(can.flags(&sim).ivmif(), is_error);
     }
+}
+
+/// Register 3-8: with EDGFLTEN a dominant glitch shorter than two time quanta does not disturb bus integration.
+#[test]
+fn edge_filtering_during_bus_integration() {
+    let integration = |filtered: bool| {
+        let (sim, can, _) = pair();
+        can.regs(&sim).tdc_h().write(pac::TdcH::from_bits(0).with_edgflten(filtered));
+        let node = sim.node(can.id);
+        let asked = sim.now();
+        // A glitch of one clock period between the sample points, every five bits.
+        for number in 1..=4_u64 {
+            let from = asked + Time::from_us(5) * number;
+            let (until, how) = (from + Time::from_ns(25), can_wire::Disturbance::Dominant);
+            sim.with_wire(|wire| wire.inject(Fault::Disturb { line: can_wire::Line::Rx(node), how, from, until }));
+        }
+        can.ask(&sim, Mode::NormalCanFd);
+        can.wait(&sim, Mode::NormalCanFd);
+        sim.now().since(asked).as_ps() / 1_000_000
+    };
+    let (with, without) = (integration(true), integration(false));
+    assert!(with <= 13 && without >= 30, "{with} and {without} bits");
 }

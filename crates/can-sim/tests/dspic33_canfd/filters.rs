@@ -42,12 +42,9 @@ const MIDE: u32 = 1 << 30;
 /// 8.2.1: MIDE and EXIDE.
 #[test]
 fn section_8_2_1_frame_types() {
-    for (object, mask, expected) in [
-        (0, 0, [true, true]),
-        (EXIDE, 0, [true, true]),
-        (0, MIDE, [true, false]),
-        (EXIDE, MIDE, [false, true]),
-    ] {
+    for (object, mask, expected) in
+        [(0, 0, [true, true]), (EXIDE, 0, [true, true]), (0, MIDE, [true, false]), (EXIDE, MIDE, [false, true])]
+    {
         let (sim, can, peer) = bench();
         can.filter(&sim, 0, object, mask, 1);
         assert_eq!(accepted(&sim, can, peer, &texts(&["123#", "12345678#"])), expected, "{object:#x} {mask:#x}");
@@ -93,7 +90,11 @@ fn table_8_1_data_bits() {
                 let mut data = [0xFF_u8; 3];
                 data[wrong / 8] ^= 0x80 >> (wrong % 8);
                 let bad = Frame::data(crate::bench::StandardId::new(0x123).unwrap(), &data[..len]).unwrap();
-                assert_eq!(accepted(&sim, can, peer, &[bad]), [wrong >= compared], "DNCNT {dncnt}, bit {wrong} of {len}");
+                assert_eq!(
+                    accepted(&sim, can, peer, &[bad]),
+                    [wrong >= compared],
+                    "DNCNT {dncnt}, bit {wrong} of {len}"
+                );
             }
         }
     }
@@ -202,9 +203,7 @@ fn section_8_1_order() {
     flt.obj_l().write(pac::FltObjL::from_bits(0x456));
     flt.mask_h().write(pac::MaskH::from_bits(0x1));
     assert_eq!((flt.obj_l().read().sid(), flt.mask_h().read().bits()), (0x123, 0));
-    let protected = |kind: &DiagnosticKind, register: &str| {
-        matches!(kind, DiagnosticKind::ProtectedWrite { register: at, condition: "filter_disabled", .. } if at == register)
-    };
+    let protected = |kind: &DiagnosticKind, register: &str| matches!(kind, DiagnosticKind::ProtectedWrite { register: at, condition: "filter_disabled", .. } if at == register);
     let found = kinds(&sim);
     assert!(found.len() == 2 && protected(&found[0], "FLTOBJL[5]") && protected(&found[1], "MASKH[5]"), "{found:?}");
     // The neighbours are free.

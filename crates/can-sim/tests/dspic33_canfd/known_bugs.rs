@@ -193,9 +193,8 @@ fn filter_changed_while_enabled() {
     flt.obj_l().write(pac::FltObjL::from_bits(0x123));
     flt.mask_l().write(pac::MaskL::from_bits(0x7FF));
     let found = kinds(&sim);
-    let refused = |kind: &DiagnosticKind| {
-        matches!(kind, DiagnosticKind::ProtectedWrite { condition: "filter_disabled", .. })
-    };
+    let refused =
+        |kind: &DiagnosticKind| matches!(kind, DiagnosticKind::ProtectedWrite { condition: "filter_disabled", .. });
     assert!(found.len() == 2 && found.iter().all(refused), "{found:?}");
     sim.peer_send(peer, frame("456#"));
     sim.run_for(FRAME);

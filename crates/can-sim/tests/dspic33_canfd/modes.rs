@@ -263,8 +263,9 @@ fn loopback_modes() {
         can.accept_all(&sim, 2);
         can.go(&sim, mode);
         let messages = [fd(0x123, &[7; 64]), frame("00000456#0102")];
-        can.send(&sim, 1, &messages[0]);
-        can.send(&sim, 0, &messages[1]);
+        can.load(&sim, 1, &messages[0]);
+        can.load(&sim, 0, &messages[1]);
+        can.request(&sim, 0b11);
         sim.run_for(FRAME * 3);
         // The queue goes first.
         assert_eq!(can.receive(&sim, 2), Some(messages[1]));

@@ -42,8 +42,7 @@ fn table_6_1_transmit_objects() {
     sim.run_for(FRAME * 3);
     let flags = FdFlags { brs: true, esi: false };
     let extended = crate::bench::ExtendedId::new(0x1400_C000).unwrap();
-    let expected =
-        [fd(0x100, &[0x5A; 64]), fd(0x300, &[0xA5; 16]), Frame::fd(extended, &[0x55; 12], flags).unwrap()];
+    let expected = [fd(0x100, &[0x5A; 64]), fd(0x300, &[0xA5; 16]), Frame::fd(extended, &[0x55; 12], flags).unwrap()];
     let received: Vec<Frame> = sim.peer_received(peer).into_iter().map(|(_, frame)| frame).collect();
     assert_eq!(received, expected);
 }
@@ -294,7 +293,8 @@ fn section_6_9_2_three_attempts() {
 #[test]
 fn section_6_9_2_attempts_start_anew() {
     let (sim, can, peer) = attempts(RetransmissionAttempts::Three, ConHRtxat::Restricted);
-    spoil(&sim, can, 6);
+    // One of the seven is the attempt that loses arbitration to the peer.
+    spoil(&sim, can, 7);
     can.send(&sim, 1, &frame("101#11"));
     let errors = |count: usize| sim.run_until(FRAME * 9, |sim| errors_on_bus(sim, can) >= count);
     errors(3).unwrap();
@@ -418,7 +418,8 @@ fn section_6_12_dlc_mismatch() {
     assert_eq!(ids(&sim, peer), []);
     assert!(!can.regs(&sim).tefsta().read().tefneif(), "event_for_dlc_mismatch");
     can.reset(&sim, 1);
-    let long = Frame::data_with_dlc(StandardId::new(0x102).unwrap(), can_frame::Dlc::new(15).unwrap(), &[1; 8]).unwrap();
+    let long =
+        Frame::data_with_dlc(StandardId::new(0x102).unwrap(), can_frame::Dlc::new(15).unwrap(), &[1; 8]).unwrap();
     can.send(&sim, 1, &long);
     sim.run_for(FRAME);
     assert_eq!(sim.peer_received(peer)[0].1, long);
