@@ -70,8 +70,12 @@ impl Dlc {
 
     /// Data bytes of an FD frame with this code: 0 to 64.
     #[must_use]
+    #[inline]
     pub const fn fd_len(self) -> usize {
-        FD_LENGTHS[self.0 as usize] as usize
+        // Mask and bound never act; they tell the compiler what it cannot know, so that no check is left where data of
+        // this length is copied.
+        let len = FD_LENGTHS[(self.0 & 0xF) as usize] as usize;
+        if len > FD_MAX_LEN { FD_MAX_LEN } else { len }
     }
 }
 

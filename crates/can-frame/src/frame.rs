@@ -105,6 +105,17 @@ impl Frame {
         Frame::filled(id, format, dlc, &data[..data.len().min(len)])
     }
 
+    /// A frame whose data bytes `read` fetches: it gets exactly as many as format and data length code stand for, all
+    /// zero. This is how a driver takes a frame out of message memory without copying it twice.
+    #[inline]
+    #[must_use]
+    pub fn read_with(id: Id, format: Format, dlc: Dlc, read: impl FnOnce(&mut [u8])) -> Frame {
+        let mut frame = Frame { id, format, dlc, bytes: [0; FD_MAX_LEN] };
+        let len = frame.len();
+        read(&mut frame.bytes[..len]);
+        frame
+    }
+
     fn filled(id: Id, format: Format, dlc: Dlc, data: &[u8]) -> Frame {
         let mut bytes = [0; FD_MAX_LEN];
         bytes[..data.len()].copy_from_slice(data);
@@ -130,6 +141,7 @@ impl Frame {
     }
 
     /// The data bytes; none for a remote frame.
+    #[inline]
     #[must_use]
     pub fn data_bytes(&self) -> &[u8] {
         &self.bytes[..self.len()]

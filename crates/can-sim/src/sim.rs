@@ -1,6 +1,10 @@
 //! A simulation: controllers, memories and plain nodes on one bus or several, and the host's clock.
 
-use std::{any::Any, cell::RefCell, marker::PhantomData};
+use std::{
+    any::Any,
+    cell::{Cell, RefCell},
+    marker::PhantomData,
+};
 
 use can_frame::Frame;
 use can_wire::{NodeConfig, NodeId, Time, TimingError, Wire};
@@ -69,7 +73,14 @@ impl SimBuilder {
     pub fn build(self) -> Sim {
         let diagnostics = Diagnostics { policy: self.on_diagnostic, list: Vec::new() };
         let core = Core::new(diagnostics, self.log_limit);
-        Sim { core: RefCell::new(core), handlers: Handlers::default(), cost: self.access_cost }
+        Sim {
+            core: RefCell::new(core),
+            handlers: Handlers::default(),
+            cost: self.access_cost,
+            accesses: Cell::new(0),
+            interruption: RefCell::new(None),
+            interrupt_at: Cell::new(u64::MAX),
+        }
     }
 }
 
@@ -80,7 +91,14 @@ pub struct Sim {
     core: RefCell<Core>,
     handlers: Handlers,
     cost: Time,
+    /// Accesses of the host so far, and what is to happen before one of them.
+    accesses: Cell<u64>,
+    interrupt_at: Cell<u64>,
+    interruption: RefCell<Option<Interruption>>,
 }
+
+/// What happens between two accesses of the host.
+type Interruption = Box<dyn FnOnce(&Sim)>;
 
 impl Default for Sim {
     fn default() -> Self {
@@ -335,8 +353,30 @@ impl Sim {
         core::mem::replace(&mut self.core.borrow_mut().trace, next).unwrap_or_default()
     }
 
+    /// Accesses of the host to registers and memories so far.
+    #[must_use]
+    pub fn accesses(&self) -> u64 {
+        self.accesses.get()
+    }
+
+    /// Lets `act` run between two accesses of the host: `skip` accesses happen first. This is how a test puts an event
+    /// between the read and the write of a driver. A second call replaces an interruption that has not happened yet.
+    pub fn interrupt_host(&self, skip: u64, act: impl FnOnce(&Self) + 'static) {
+        self.interrupt_at.set(self.accesses.get() + skip);
+        *self.interruption.borrow_mut() = Some(Box::new(act));
+    }
+
     /// One access of the host costs time, in which things happen.
     fn elapse(&self) {
+        let number = self.accesses.get();
+        self.accesses.set(number + 1);
+        if number == self.interrupt_at.get() {
+            self.interrupt_at.set(u64::MAX);
+            let act = self.interruption.borrow_mut().take();
+            if let Some(act) = act {
+                act(self);
+            }
+        }
         self.run_to(self.now() + self.cost);
     }
 

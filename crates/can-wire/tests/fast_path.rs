@@ -226,3 +226,14 @@ fn the_comparison_covers_both_paths() {
     assert!(skipped > 500 && undone > 50, "{skipped} frames stepped over, {undone} taken back");
     println!("{skipped} frames stepped over, {undone} taken back");
 }
+
+/// Runs in which the paths once differed: the last level changes before a plan was taken back were told too late, and
+/// setting the error counters moved an output to the middle of a bit.
+#[test]
+fn runs_that_once_differed() {
+    for seed in [0x04D5_EB00_641C_7AC7, 0xAA1C_E5B5_15C2_DE21, 0xF01E_1955_05A3_274A, 0x8291_B325_E692_725F] {
+        for trace in [false, true] {
+            compare(seed, trace);
+        }
+    }
+}

@@ -3,8 +3,9 @@
 #[allow(unused_imports, reason = "not every controller has everything")]
 use regbus::meta::{
     Alias, AliasOp, Array, BitTiming, Comparison, Condition, Controller, Effect, Expr,
-    Index, InterruptLine, InterruptSource, Joined, Message, MessageWord, Part, Payload,
-    RegisterInfo, Reserved, Section, TimingPhase, TransmitterDelay, Window,
+    Index, InterruptLine, InterruptSource, Joined, Message, MessageWord, OffsetReference,
+    Part, Payload, Phase2Within, RegisterInfo, Reserved, Section, ThreeSamples,
+    TimingPhase, TransmitterDelay, Window,
 };
 /// The whole description.
 pub static CONTROLLER: Controller = Controller {
@@ -3028,6 +3029,9 @@ pub static CONTROLLER: Controller = Controller {
             min_quanta: 4,
             max_quanta: 385,
             max_bit_rate: Some(1000000),
+            phase2_within: Phase2Within::Anything,
+            jump_width_below_phase2: false,
+            three_samples: None,
         },
         data: Some(TimingPhase {
             prescaler: regbus::meta::FieldRef {
@@ -3050,6 +3054,9 @@ pub static CONTROLLER: Controller = Controller {
             min_quanta: 3,
             max_quanta: 49,
             max_bit_rate: Some(8000000),
+            phase2_within: Phase2Within::Anything,
+            jump_width_below_phase2: false,
+            three_samples: None,
         }),
         transmitter_delay: Some(TransmitterDelay {
             enable: regbus::meta::FieldRef {
@@ -3065,6 +3072,10 @@ pub static CONTROLLER: Controller = Controller {
                 register: 6,
                 field: 1,
             }),
+            reference: OffsetReference::Segment1,
+            max_prescaler: None,
+            max_position: None,
+            max_bits: None,
         }),
     }),
 };

@@ -3,8 +3,9 @@
 #[allow(unused_imports, reason = "not every controller has everything")]
 use regbus::meta::{
     Alias, AliasOp, Array, BitTiming, Comparison, Condition, Controller, Effect, Expr,
-    Index, InterruptLine, InterruptSource, Joined, Message, MessageWord, Part, Payload,
-    RegisterInfo, Reserved, Section, TimingPhase, TransmitterDelay, Window,
+    Index, InterruptLine, InterruptSource, Joined, Message, MessageWord, OffsetReference,
+    Part, Payload, Phase2Within, RegisterInfo, Reserved, Section, ThreeSamples,
+    TimingPhase, TransmitterDelay, Window,
 };
 /// The whole description.
 pub static CONTROLLER: Controller = Controller {
@@ -1344,6 +1345,15 @@ pub static CONTROLLER: Controller = Controller {
             min_quanta: 8,
             max_quanta: 25,
             max_bit_rate: Some(1000000),
+            phase2_within: Phase2Within::PropagationAndPhase1,
+            jump_width_below_phase2: true,
+            three_samples: Some(ThreeSamples {
+                field: regbus::meta::FieldRef {
+                    register: 9,
+                    field: 3,
+                },
+                min_prescaler: 1,
+            }),
         },
         data: None,
         transmitter_delay: None,

@@ -3,8 +3,9 @@
 #[allow(unused_imports, reason = "not every controller has everything")]
 use regbus::meta::{
     Alias, AliasOp, Array, BitTiming, Comparison, Condition, Controller, Effect, Expr,
-    Index, InterruptLine, InterruptSource, Joined, Message, MessageWord, Part, Payload,
-    RegisterInfo, Reserved, Section, TimingPhase, TransmitterDelay, Window,
+    Index, InterruptLine, InterruptSource, Joined, Message, MessageWord, OffsetReference,
+    Part, Payload, Phase2Within, RegisterInfo, Reserved, Section, ThreeSamples,
+    TimingPhase, TransmitterDelay, Window,
 };
 /// The whole description.
 pub static CONTROLLER: Controller = Controller {
@@ -2595,6 +2596,9 @@ pub static CONTROLLER: Controller = Controller {
             min_quanta: 5,
             max_quanta: 385,
             max_bit_rate: None,
+            phase2_within: Phase2Within::Anything,
+            jump_width_below_phase2: false,
+            three_samples: None,
         },
         data: Some(TimingPhase {
             prescaler: regbus::meta::FieldRef {
@@ -2617,6 +2621,9 @@ pub static CONTROLLER: Controller = Controller {
             min_quanta: 4,
             max_quanta: 49,
             max_bit_rate: None,
+            phase2_within: Phase2Within::Anything,
+            jump_width_below_phase2: false,
+            three_samples: None,
         }),
         transmitter_delay: Some(TransmitterDelay {
             enable: regbus::meta::FieldRef {
@@ -2635,6 +2642,10 @@ pub static CONTROLLER: Controller = Controller {
                 register: 13,
                 field: 0,
             }),
+            reference: OffsetReference::SamplePoint,
+            max_prescaler: Some(2),
+            max_position: Some(127),
+            max_bits: Some(6),
         }),
     }),
 };

@@ -8,8 +8,8 @@ mod display;
 
 pub use controller::{
     Alias, AliasOp, Array, BitTiming, Comparison, Condition, Controller, Effect, Expr, FieldRef, Index, InterruptLine,
-    InterruptSource, Joined, Message, MessageWord, Part, Payload, RegisterInfo, Reserved, Section, TimingPhase,
-    TransmitterDelay, Window,
+    InterruptSource, Joined, Message, MessageWord, OffsetReference, Part, Payload, Phase2Within, RegisterInfo,
+    Reserved, Section, ThreeSamples, TimingPhase, TransmitterDelay, Window,
 };
 #[doc(hidden)]
 pub use display::debug;

@@ -24,7 +24,8 @@ pub use register::{
 };
 
 pub use crate::syntax::{
-    AccessCode, AliasOp, Cite, Encoding, HalfOrder, Manual, OnRead, ReadEffect, ResetKind, Source,
+    AccessCode, AliasOp, Cite, Encoding, HalfOrder, Manual, OffsetReference, OnRead, Phase2Within, ReadEffect,
+    ResetKind, Source,
 };
 
 use indexmap::IndexMap;

@@ -169,6 +169,7 @@ impl Wire {
         self.fast.allowed = allowed;
         self.fast.plan = Some(plan);
         self.now = present;
+        self.tracer.flush_before(present);
     }
 
     /// The level changes of a frame that is stepped over.

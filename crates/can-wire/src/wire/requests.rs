@@ -215,8 +215,8 @@ impl Wire {
         let restarts = state.protocol.set_error_counters(tec, rec, cx);
         if restarts {
             state.restart(at);
+            self.follow_engine(node);
         }
-        self.follow_engine(node);
     }
 
     /// Replaces the configuration of a node that is off.

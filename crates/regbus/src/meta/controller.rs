@@ -435,6 +435,42 @@ pub struct TimingPhase {
     pub max_quanta: u32,
     /// Highest bit rate in bit/s.
     pub max_bit_rate: Option<u32>,
+    /// What phase segment 2 must not be longer than.
+    pub phase2_within: Phase2Within,
+    /// The jump width has to be shorter than phase segment 2, not only as long.
+    pub jump_width_below_phase2: bool,
+    /// Sampling three times, where the controller does that.
+    pub three_samples: Option<ThreeSamples>,
+}
+
+/// What phase segment 2 must not be longer than.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Phase2Within {
+    /// Its own range is the only limit.
+    Anything,
+    /// Phase segment 1.
+    Phase1,
+    /// Propagation segment and phase segment 1 together.
+    PropagationAndPhase1,
+}
+
+/// Sampling every bit three times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ThreeSamples {
+    /// The field that switches it on.
+    pub field: FieldRef,
+    /// Smallest prescaler with it, as the number it means.
+    pub min_prescaler: u32,
+}
+
+/// Where the offset of the transmitter delay compensation counts from, so that the secondary sample point comes to lie
+/// where the sample point of the data phase lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum OffsetReference {
+    /// It is the time from the start of the bit to the sample point.
+    SamplePoint,
+    /// It is that time without the synchronization segment.
+    Segment1,
 }
 
 /// Transmitter delay compensation.
@@ -448,4 +484,12 @@ pub struct TransmitterDelay {
     pub filter: Option<FieldRef>,
     /// The measured or manual value.
     pub value: Option<FieldRef>,
+    /// What the offset counts.
+    pub reference: OffsetReference,
+    /// Largest prescaler of the data phase with compensation, as the number it means; `None` if the manual names none.
+    pub max_prescaler: Option<u32>,
+    /// Largest position of the secondary sample point in clock periods; a later one is taken as this.
+    pub max_position: Option<u32>,
+    /// Delay and offset together are shorter than this many data bits.
+    pub max_bits: Option<u32>,
 }

@@ -18,6 +18,7 @@ pub(super) fn roles(phase: &TimingPhase) -> Vec<(FieldRef, &'static str)> {
         ),
         (Some(phase.segment2), "phase segment 2"),
         (Some(phase.jump_width), "synchronization jump width"),
+        (phase.three_samples.map(|(at, _)| at), "sampling three times"),
     ];
     all.into_iter().filter_map(|(at, role)| Some((at?, role))).collect()
 }

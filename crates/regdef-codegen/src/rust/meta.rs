@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use regdef::model::{
     AccessCode, AliasOp, Comparison, ConditionId, Dim, Enum, Expr, Field, FieldRef, FieldReset, Joined, LaneIndex,
-    Message, Model, OnRead, Part, ReadEffect, Register, SectionStart, TimingPhase,
+    Message, Model, OffsetReference, OnRead, Part, Phase2Within, ReadEffect, Register, SectionStart, TimingPhase,
 };
 
 use super::{doc, fields, hex, ident, number};
@@ -243,10 +243,21 @@ fn phase(phase: &TimingPhase) -> TokenStream {
     let jump_width = field_ref(phase.jump_width);
     let (min, max) = (number(phase.min_quanta), number(phase.max_quanta));
     let rate = option(phase.max_bit_rate, number);
+    let within = ident(match phase.phase2_within {
+        None => "Anything",
+        Some(Phase2Within::Phase1) => "Phase1",
+        Some(Phase2Within::PropagationAndPhase1) => "PropagationAndPhase1",
+    });
+    let below = phase.jump_width_below_phase2;
+    let samples = option(phase.three_samples, |(at, least)| {
+        let (at, least) = (field_ref(at), number(least));
+        quote!(ThreeSamples { field: #at, min_prescaler: #least })
+    });
     quote! {
         TimingPhase {
             prescaler: #prescaler, propagation: #propagation, segment1: #segment1, segment2: #segment2,
             jump_width: #jump_width, min_quanta: #min, max_quanta: #max, max_bit_rate: #rate,
+            phase2_within: Phase2Within::#within, jump_width_below_phase2: #below, three_samples: #samples,
         }
     }
 }
@@ -352,7 +363,19 @@ pub(super) fn module(model: &Model) -> TokenStream {
         let delay = option(timing.transmitter_delay.as_ref(), |tdc| {
             let (enable, at) = (field_ref(tdc.enable), field_ref(tdc.offset));
             let (filter, value) = (option(tdc.filter, field_ref), option(tdc.value, field_ref));
-            quote!(TransmitterDelay { enable: #enable, offset: #at, filter: #filter, value: #value })
+            let reference = ident(match tdc.reference {
+                OffsetReference::SamplePoint => "SamplePoint",
+                OffsetReference::Segment1 => "Segment1",
+            });
+            let (prescaler, position) = (option(tdc.max_prescaler, number), option(tdc.max_position, number));
+            let bits = option(tdc.max_bits, number);
+            quote! {
+                TransmitterDelay {
+                    enable: #enable, offset: #at, filter: #filter, value: #value,
+                    reference: OffsetReference::#reference, max_prescaler: #prescaler, max_position: #position,
+                    max_bits: #bits,
+                }
+            }
         });
         quote! {
             BitTiming {
@@ -366,8 +389,8 @@ pub(super) fn module(model: &Model) -> TokenStream {
         #[allow(unused_imports, reason = "not every controller has everything")]
         use regbus::meta::{
             Alias, AliasOp, Array, BitTiming, Comparison, Condition, Controller, Effect, Expr, Index, InterruptLine,
-            InterruptSource, Joined, Message, MessageWord, Part, Payload, RegisterInfo, Reserved, Section, TimingPhase,
-            TransmitterDelay, Window,
+            InterruptSource, Joined, Message, MessageWord, OffsetReference, Part, Payload, Phase2Within, RegisterInfo,
+            Reserved, Section, ThreeSamples, TimingPhase, TransmitterDelay, Window,
         };
 
         /// The whole description.

@@ -91,20 +91,43 @@ pub(super) fn rest(old: &Model, new: &Model, changes: &mut Vec<Change>) {
             .map(|(name, p)| {
                 let f = |at| m.field_path(at);
                 let text = format!(
-                    "prescaler {}, propagation {}, segments {} and {}, jump width {}, {} to {} quanta",
+                    "prescaler {}, propagation {}, segments {} and {}, jump width {}, {} to {} quanta, phase segment 2 \
+                     within {:?}, jump width below it {}, three samples {:?}",
                     f(p.prescaler),
                     field(m, p.propagation),
                     f(p.segment1),
                     f(p.segment2),
                     f(p.jump_width),
                     p.min_quanta,
-                    p.max_quanta
+                    p.max_quanta,
+                    p.phase2_within,
+                    p.jump_width_below_phase2,
+                    p.three_samples.map(|(at, least)| (f(at), least)),
                 );
                 (name, text)
             })
             .collect()
     };
     named(changes, "bit timing", timing(old), timing(new));
+    let delay = |m: &Model| -> Vec<_> {
+        let text = |d: &crate::model::TransmitterDelay| {
+            format!(
+                "enabled by {}, offset {} counted as {:?}, filter {}, value {}, prescaler up to {:?}, position up to {:?}, \
+                 fewer than {:?} data bits",
+                m.field_path(d.enable),
+                m.field_path(d.offset),
+                d.reference,
+                field(m, d.filter),
+                field(m, d.value),
+                d.max_prescaler,
+                d.max_position,
+                d.max_bits,
+            )
+        };
+        let delay = m.bit_timing.iter().filter_map(|t| t.transmitter_delay.as_ref());
+        delay.map(|d| ("compensation".to_owned(), text(d))).collect()
+    };
+    named(changes, "transmitter delay", delay(old), delay(new));
     let instances = |m: &Model| -> Vec<_> {
         let text = |i: &crate::model::Instance| {
             let interrupts = listed(&i.interrupts, |(name, n)| format!("{name} {n}"));

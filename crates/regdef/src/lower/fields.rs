@@ -175,6 +175,16 @@ impl Lowering<'_> {
                 .label(format!("has to be at most {capacity}")),
             );
         }
+        if text.encoding.as_ref().is_some_and(|encoding| encoding.times == Some(0)) {
+            self.find(
+                Diagnostic::new(
+                    Code::OutOfRange,
+                    Spot::Value(at.key("encoding").key("times")),
+                    format!("every number in `{name}` would mean 0"),
+                )
+                .label("has to be at least 1"),
+            );
+        }
         let reset = self.field_reset(name, text, at, outer, width);
         Some(Field {
             name: name.to_owned(),

@@ -1,5 +1,7 @@
 //! Registers, clusters, windows and reserved ranges.
 
+use std::collections::HashMap;
+
 use indexmap::IndexMap;
 
 use super::fields::{Holder, Outer};
@@ -88,6 +90,18 @@ impl Lowering<'_> {
             Some(_) => 32,
             None => u32::from(self.text.register_width.clamp(8, 32)),
         };
+        let widest = self.text.access_widths.iter().copied().max().unwrap_or(32);
+        if width > u32::from(widest) && !text.device {
+            self.find(
+                Diagnostic::new(
+                    Code::OutOfRange,
+                    Spot::Key(at.clone()),
+                    format!("no legal access reaches all {width} bits of `{name}`"),
+                )
+                .also(Spot::Value(Path::root().key("access_widths")), format!("the widest is {widest} bits"))
+                .help("describe halves as registers of their own, joined to one value: `joined`"),
+            );
+        }
         if text.offset.is_none() && !text.device {
             self.find(
                 Diagnostic::new(
@@ -177,6 +191,20 @@ impl Lowering<'_> {
                 .also(Spot::Value(at.key("count")), "the number of elements")
                 .help("name every element, or none"),
             );
+        }
+        let mut seen = HashMap::new();
+        for (index, label) in labels.iter().enumerate() {
+            let here = at.key("labels").index(index);
+            if let Some(first) = seen.insert(label, here.clone()) {
+                self.find(
+                    Diagnostic::new(
+                        Code::DuplicateName,
+                        Spot::Value(here),
+                        format!("two elements are called `{label}`"),
+                    )
+                    .also(Spot::Value(first), "the other one"),
+                );
+            }
         }
         let stride = self.address(array.stride, &at.key("stride"));
         Dim { count, stride, first: self.first(array.first, &at.key("first")), labels }

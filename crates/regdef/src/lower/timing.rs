@@ -30,6 +30,10 @@ impl Lowering<'_> {
                 offset: self.field_ref(&tdc.offset, &at.key("offset"))?,
                 filter: tdc.filter.as_ref().and_then(|f| self.field_ref(f, &at.key("filter"))),
                 value: tdc.value.as_ref().and_then(|f| self.field_ref(f, &at.key("value"))),
+                reference: tdc.reference,
+                max_prescaler: tdc.max_prescaler.map(|v| v.0),
+                max_position: tdc.max_position.map(|v| v.0),
+                max_bits: tdc.max_bits.map(|v| v.0),
                 rules: tdc.rules.clone(),
                 cites,
             })
@@ -45,6 +49,10 @@ impl Lowering<'_> {
         let segment1 = field(&phase.segment1, "segment1");
         let segment2 = field(&phase.segment2, "segment2");
         let jump_width = field(&phase.jump_width, "jump_width");
+        let three_samples = phase.three_samples.as_ref().map(|samples| {
+            let field = self.field_ref(&samples.field, &at.key("three_samples").key("field"))?;
+            Some((field, samples.min_prescaler.map_or(1, |v| v.0)))
+        });
         let (Some(min), Some(max)) = (phase.quanta.min, phase.quanta.max) else {
             self.find(
                 Diagnostic::new(
@@ -76,6 +84,12 @@ impl Lowering<'_> {
             max_quanta: max.0,
             rules: phase.rules.clone(),
             max_bit_rate: phase.max_bit_rate.map(|v| v.0),
+            phase2_within: phase.phase2_within,
+            jump_width_below_phase2: phase.jump_width_below_phase2,
+            three_samples: match three_samples {
+                Some(samples) => Some(samples?),
+                None => None,
+            },
             cites,
         })
     }

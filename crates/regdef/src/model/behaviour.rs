@@ -1,6 +1,9 @@
 //! Effects, interrupts, bit timing, instances, conflicts and choices of the model.
 
-use super::{Cite, ClusterId, ConditionId, EnumId, FieldRef, InterruptId, LineId, MessageId, RegisterId};
+use super::{
+    Cite, ClusterId, ConditionId, EnumId, FieldRef, InterruptId, LineId, MessageId, OffsetReference, Phase2Within,
+    RegisterId,
+};
 
 /// What one state of the registers does to others.
 #[derive(Debug, Clone)]
@@ -125,6 +128,12 @@ pub struct TimingPhase {
     pub rules: Vec<String>,
     /// Highest bit rate in bit/s.
     pub max_bit_rate: Option<u64>,
+    /// What phase segment 2 must not be longer than.
+    pub phase2_within: Option<Phase2Within>,
+    /// The jump width has to be shorter than phase segment 2.
+    pub jump_width_below_phase2: bool,
+    /// Sampling three times: the field, and the smallest prescaler as the number it means.
+    pub three_samples: Option<(FieldRef, u64)>,
     /// Where it stands.
     pub cites: Vec<Cite>,
 }
@@ -140,6 +149,14 @@ pub struct TransmitterDelay {
     pub filter: Option<FieldRef>,
     /// The measured or manual value.
     pub value: Option<FieldRef>,
+    /// What the offset counts.
+    pub reference: OffsetReference,
+    /// Largest prescaler of the data phase, as the number it means.
+    pub max_prescaler: Option<u64>,
+    /// Largest position of the secondary sample point in clock periods.
+    pub max_position: Option<u64>,
+    /// Delay and offset together are shorter than this many data bits.
+    pub max_bits: Option<u64>,
     /// Rules.
     pub rules: Vec<String>,
     /// Where it stands.

@@ -186,9 +186,51 @@ pub struct TimingPhase {
     /// Highest bit rate in bit/s that the manual allows.
     #[serde(default)]
     pub max_bit_rate: Option<Int>,
+    /// What phase segment 2 must not be longer than; its own range only if left out.
+    #[serde(default)]
+    pub phase2_within: Option<Phase2Within>,
+    /// The jump width has to be shorter than phase segment 2, not only as long.
+    #[serde(default)]
+    pub jump_width_below_phase2: bool,
+    /// Sampling three times, where the controller does that.
+    #[serde(default)]
+    pub three_samples: Option<ThreeSamples>,
     /// Where it stands.
     #[serde(default)]
     pub cite: Option<OneOrMany<Cite>>,
+}
+
+/// What phase segment 2 must not be longer than.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Phase2Within {
+    /// Phase segment 1.
+    Phase1,
+    /// Propagation segment and phase segment 1 together.
+    PropagationAndPhase1,
+}
+
+/// Sampling every bit three times.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ThreeSamples {
+    /// The field that switches it on.
+    pub field: String,
+    /// Smallest prescaler with it, as the number it means, not as programmed; 1 if left out.
+    #[serde(default)]
+    pub min_prescaler: Option<Int>,
+}
+
+/// What the offset of the transmitter delay compensation is, so that the secondary sample point lies where the sample
+/// point of the data phase lies.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OffsetReference {
+    /// The time from the start of the bit to the sample point.
+    #[default]
+    SamplePoint,
+    /// That time without the synchronization segment.
+    Segment1,
 }
 
 /// Transmitter delay compensation.
@@ -205,6 +247,18 @@ pub struct TransmitterDelay {
     /// The measured or manual value.
     #[serde(default)]
     pub value: Option<String>,
+    /// What the offset counts; to the sample point if left out.
+    #[serde(default)]
+    pub reference: OffsetReference,
+    /// Largest prescaler of the data phase with compensation, as the number it means.
+    #[serde(default)]
+    pub max_prescaler: Option<Int>,
+    /// Largest position of the secondary sample point in clock periods.
+    #[serde(default)]
+    pub max_position: Option<Int>,
+    /// Delay and offset together are shorter than this many data bits.
+    #[serde(default)]
+    pub max_bits: Option<Int>,
     /// Rules, in your own words.
     #[serde(default)]
     pub rules: Vec<String>,

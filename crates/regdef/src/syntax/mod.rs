@@ -14,7 +14,7 @@ mod scalar;
 pub use access::{AccessCode, OnRead, ReadEffect};
 pub use behaviour::{
     BitTiming, Choice, Clock, Conflict, Effect, Instance, InterruptGroup, InterruptLine, InterruptSource, Interrupts,
-    Says, TimingPhase, TransmitterDelay,
+    OffsetReference, Phase2Within, Says, ThreeSamples, TimingPhase, TransmitterDelay,
 };
 pub use field::{Encoding, EnumDef, EnumFull, EnumValue, EnumValueFull, Field, FieldReset, Lanes, Range, ResetKind};
 pub use memory::{Memory, Message, MessageWord, Payload, Section};
