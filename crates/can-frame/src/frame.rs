@@ -110,7 +110,7 @@ impl Frame {
     #[inline]
     #[must_use]
     pub fn read_with(id: Id, format: Format, dlc: Dlc, read: impl FnOnce(&mut [u8])) -> Frame {
-        let mut frame = Frame { id, format, dlc, bytes: [0; FD_MAX_LEN] };
+        let mut frame = Frame { id, format, dlc, rrs: false, bytes: [0; FD_MAX_LEN] };
         let len = frame.len();
         read(&mut frame.bytes[..len]);
         frame
