@@ -24,7 +24,7 @@ pub enum Command {
     /// Finds a bit timing and shows registers, errors, tolerance, alternatives and a picture of the bit.
     BitTiming(timing::Arguments),
     /// Plans the message memory and draws the map.
-    Memory(memory::Arguments),
+    Memory(Box<memory::Arguments>),
 }
 
 /// The controllers.

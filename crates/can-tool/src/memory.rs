@@ -235,7 +235,7 @@ fn m_can(arguments: &Arguments) -> Result<Planned, String> {
         "--tx-buffers",
     ];
     arguments.only(&OPTIONS)?;
-    let sizes = || (0..8).map(|code| DataFieldSize::from_bits(code)).map(|size| (size, size.number()));
+    let sizes = || (0..8).map(DataFieldSize::from_bits).map(|size| (size, size.number()));
     let mut memory = MCanMemory::new(arguments.ram).origin(arguments.base);
     if let Some(e) = arguments.standard_filters {
         let e = e.only("--standard-filters", "@")?;
@@ -276,7 +276,7 @@ fn m_can(arguments: &Arguments) -> Result<Planned, String> {
 
 fn canfd(arguments: &Arguments) -> Result<Planned, String> {
     arguments.only(&["--tef", "--txq", "--fifo"])?;
-    let sizes = || (0..8).map(|code| PayloadSize::from_bits(code)).map(|size| (size, size.number()));
+    let sizes = || (0..8).map(PayloadSize::from_bits).map(|size| (size, size.number()));
     let mut memory = DsPic33CanFdMemory::new(arguments.base, arguments.ram);
     if let Some(e) = arguments.tef {
         let e = e.only("--tef", "t")?;
