@@ -33,12 +33,17 @@ const EXTENDED: [ExtendedFilter; 2] = [
 /// What was found where.
 #[derive(Debug, PartialEq)]
 pub struct Found {
+    /// In Rx FIFO 0.
     pub fifo_0: Vec<String>,
+    /// In Rx FIFO 1.
     pub fifo_1: Vec<String>,
+    /// In the dedicated Rx Buffer.
     pub latest: Option<String>,
+    /// The filter that has reported a high priority message.
     pub alarm_filter: u8,
 }
 
+/// What the tester has sorted out of the traffic.
 pub fn run() -> Result<Found> {
     let sim = Sim::new();
     let traffic = sim.add_peer(NodeConfig::new())?;

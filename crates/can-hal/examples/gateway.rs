@@ -99,8 +99,11 @@ fn join(parts: &[Frame]) -> Vec<(Id, Vec<u8>)> {
 
 /// What was sent on the fast bus, what has arrived on the classic one, and what came back.
 pub struct Moved {
+    /// Identifiers and data of the FD frames.
     pub sent: Vec<(Id, Vec<u8>)>,
+    /// The same, put together from the parts on the classic bus.
     pub arrived: Vec<(Id, Vec<u8>)>,
+    /// Frames of the classic bus, seen on the fast one.
     pub back: Vec<String>,
 }
 

@@ -1,6 +1,6 @@
 //! The examples do what they say.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-#![allow(dead_code, reason = "`main` of each example")]
+#![allow(dead_code, clippy::duplicate_mod, reason = "each example has a `main` and its board")]
 
 use can_hal::{ErrorState, Outcome};
 

@@ -27,10 +27,8 @@ const fn id(raw: u16) -> StandardId {
     }
 }
 
-const FILTERS: [StandardFilter; 2] = [
-    Filter::range(id(0x100), id(0x1FF), Action::Fifo0),
-    Filter::exact(id(0x7DF), Action::PriorityFifo0),
-];
+const FILTERS: [StandardFilter; 2] =
+    [Filter::range(id(0x100), id(0x1FF), Action::Fifo0), Filter::exact(id(0x7DF), Action::PriorityFifo0)];
 const CONFIG: Config<'static> = Config::new(TIMING).with_fd().with_filters(&FILTERS, &[]);
 
 type Running = Can<mode::Running, Mmio>;

@@ -1,6 +1,6 @@
 //! M_CAN by hand: what a careful driver for this one configuration does, with numbers from the manual.
 
-use can_frame::{Dlc, FdFlags, Format, Frame, Id, StandardId, ExtendedId};
+use can_frame::{Dlc, ExtendedId, FdFlags, Format, Frame, Id, StandardId};
 
 unsafe fn get(address: usize) -> u32 {
     // SAFETY: the caller gives an address of the chip.
