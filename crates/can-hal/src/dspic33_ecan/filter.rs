@@ -27,9 +27,9 @@ const EID: u32 = (1 << EID_BITS) - 1;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mask {
-    /// SID[10:0]: 1 compares. More bits are ignored.
+    /// SID\[10:0\]: 1 compares. More bits are ignored.
     pub sid: u16,
-    /// EID[17:0]: 1 compares a bit of an extended identifier, or a data bit of a standard message. More bits are ignored.
+    /// EID\[17:0\]: 1 compares a bit of an extended identifier, or a data bit of a standard message. More bits are ignored.
     pub eid: u32,
     /// MIDE: only messages with the length of the filter's identifier match. Without, a standard message is compared in
     /// SID alone, and an extended one in SID and EID (Register 4-6).

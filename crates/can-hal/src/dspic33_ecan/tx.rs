@@ -262,23 +262,30 @@ mod tests {
     #[test]
     fn the_queue_keeps_the_order_of_the_calls() {
         let mut tx = Tx::default();
-        let (mut waiting, mut random): (std::vec::Vec<(u8, u8)>, u32) = (std::vec::Vec::new(), 1);
+        // The four buffers of the queue, oldest first.
+        let (mut waiting, mut count, mut random) = ([(0, 0); 4], 0, 1_u32);
+        let (mut placed, mut refused) = (0, 0);
         for _ in 0..10_000 {
             random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            if random >> 16 & 1 == 0 && !waiting.is_empty() {
+            if random >> 16 & 1 == 0 && count > 0 {
                 // The module sends the one with the highest rank: the oldest.
-                waiting.remove(0);
+                waiting.rotate_left(1);
+                count -= 1;
                 continue;
             }
-            let pending = waiting.iter().fold(0, |mask, (_, buffer)| mask | 1_u8 << buffer);
+            let pending = waiting[..count].iter().fold(0, |mask, (_, buffer)| mask | 1_u8 << buffer);
             let Some((level, buffer)) = tx.next_place(pending, 0b0101_0101 & !pending) else {
-                assert!(!waiting.is_empty());
+                assert_ne!(count, 0);
+                refused += 1;
                 continue;
             };
             let rank = |(level, buffer): (u8, u8)| (core::cmp::Reverse(level), buffer);
-            assert!(waiting.iter().all(|other| rank(*other) > rank((level, buffer))));
+            assert!(waiting[..count].iter().all(|other| rank(*other) > rank((level, buffer))));
             tx.last = Some((level, buffer));
-            waiting.push((level, buffer));
+            waiting[count] = (level, buffer);
+            count += 1;
+            placed += 1;
         }
+        assert!(placed > 3_000 && refused > 0, "{placed} placed, {refused} refused");
     }
 }
