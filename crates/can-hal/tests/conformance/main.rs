@@ -10,6 +10,7 @@ mod filters;
 mod interrupts;
 mod m_can;
 mod modes;
+mod pic32_can;
 mod receive;
 mod timestamps;
 mod transmit;
@@ -59,5 +60,6 @@ macro_rules! conformance {
 mod on {
     conformance! {
         m_can = crate::m_can::MCan;
+        pic32_can = crate::pic32_can::Pic32;
     }
 }
