@@ -103,7 +103,7 @@ impl<S: Sends, R: Bus, M: Bus> Transmit for Can<S, R, M> {
     /// Through the Tx FIFO or Tx Queue, or where there is none through the first free dedicated Tx Buffer.
     #[inline]
     fn send(&mut self, frame: &Frame) -> Result<Ticket, SendError> {
-        if self.inner.layout.sizes.tx_queue > 0 {
+        if self.inner.layout.queue() > 0 {
             return self.inner.send_queued(frame, TxOptions::default());
         }
         let buffer = self.inner.free_dedicated().ok_or(SendError::Full)?;

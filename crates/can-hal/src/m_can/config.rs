@@ -9,13 +9,8 @@ use m_can_pac::{
 };
 use regbus::Bus;
 
-use super::{Can, ExtendedFilter, Filter, FilterError, Inner, LayoutError, RxFifo, StandardFilter};
-use crate::{
-    OutOfRange, TimedOut,
-    fields::Limits,
-    mode::Configuration,
-    timing::{BitTiming, DataPhase, Segments},
-};
+use super::{Can, ExtendedFilter, Filter, FilterError, Inner, StandardFilter};
+use crate::{OutOfRange, TimedOut, fields::Limits, memory::Placed, mode::Configuration, timing::MCanTiming};
 
 /// Which frame formats the controller sends and receives (3.1.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,11 +61,12 @@ pub struct Timeout {
     pub period: u16,
 }
 
-/// The configuration. The sizes of FIFOs and buffers are those of the [`Layout`](super::Layout).
+/// The configuration. The sizes of FIFOs and buffers are those of the plan given to [`Can::new`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Config<'a> {
-    /// Bit timing. The data phase may be missing if frames do not switch the bit rate.
-    pub timing: BitTiming,
+    /// Bit timing, with a data phase if frames may switch the bit rate. [`MCanTiming::of`] makes it of any
+    /// [`BitTiming`](crate::timing::BitTiming).
+    pub timing: MCanTiming,
     /// Frame formats.
     pub fd: FdMode,
     /// No retransmission (CCCR.DAR, 3.1.7).
@@ -124,7 +120,7 @@ impl<'a> Config<'a> {
     /// Classic frames with this bit timing; all that the reset values of the registers stand for: no filters, all
     /// messages to Rx FIFO 0, no timestamps.
     #[must_use]
-    pub const fn new(timing: BitTiming) -> Self {
+    pub const fn new(timing: MCanTiming) -> Self {
         Self {
             timing,
             fd: FdMode::Classic,
@@ -196,17 +192,14 @@ impl<'a> Config<'a> {
 
 /// Why a configuration was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ConfigError {
     /// The controller does not follow.
     TimedOut,
-    /// The layout does not fit its region.
-    Layout(LayoutError),
+    /// A section of the plan does not lie in the region.
+    OutsideRegion(Placed),
     /// A field does not take a value.
     OutOfRange(OutOfRange),
-    /// Frames may switch the bit rate, but the timing has no data phase.
-    NoDataPhase,
     /// A filter cannot be stored.
     Filter(FilterError),
     /// This M_CAN was synthesized without the function of this bit of CCCR (2.3.7).
@@ -217,9 +210,10 @@ impl fmt::Display for ConfigError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TimedOut => TimedOut.fmt(f),
-            Self::Layout(error) => error.fmt(f),
+            Self::OutsideRegion(section) => {
+                write!(f, "{} from {:#x} to {:#x} is not in the region", section.name, section.start, section.end())
+            }
             Self::OutOfRange(error) => error.fmt(f),
-            Self::NoDataPhase => f.write_str("bit-rate switching needs the bit timing of the data phase"),
             Self::Filter(error) => error.fmt(f),
             Self::NotAvailable(bit) => write!(f, "this M_CAN was synthesized without CCCR.{bit}"),
         }
@@ -238,72 +232,11 @@ macro_rules! from {
     )*};
 }
 
-from!(LayoutError => Layout, OutOfRange => OutOfRange, FilterError => Filter);
+from!(OutOfRange => OutOfRange, FilterError => Filter);
 
 impl From<TimedOut> for ConfigError {
     fn from(_: TimedOut) -> Self {
         Self::TimedOut
-    }
-}
-
-/// NBTP (2.3.8).
-const fn nominal(s: &Segments) -> Result<pac::Nbtp, OutOfRange> {
-    const NBRP: Limits = Limits::of::<pac::Nbtp>("NBTP.NBRP");
-    const NTSEG1: Limits = Limits::of::<pac::Nbtp>("NBTP.NTSEG1");
-    const NTSEG2: Limits = Limits::of::<pac::Nbtp>("NBTP.NTSEG2");
-    const NSJW: Limits = Limits::of::<pac::Nbtp>("NBTP.NSJW");
-    let fields = (
-        NBRP.encode(s.prescaler),
-        NTSEG1.encode(s.propagation.saturating_add(s.phase1)),
-        NTSEG2.encode(s.phase2),
-        NSJW.encode(s.jump_width),
-    );
-    match fields {
-        (Ok(brp), Ok(seg1), Ok(seg2), Ok(sjw)) => {
-            let nbtp = pac::Nbtp::ZERO.with_nbrp(brp as u16).with_ntseg1(seg1 as u8);
-            Ok(nbtp.with_ntseg2(seg2 as u8).with_nsjw(sjw as u8))
-        }
-        (Err(e), ..) | (_, Err(e), ..) | (_, _, Err(e), _) | (.., Err(e)) => Err(e),
-    }
-}
-
-/// DBTP and TDCR (2.3.4, 2.3.15).
-const fn data(phase: &DataPhase) -> Result<(pac::Dbtp, pac::Tdcr), OutOfRange> {
-    const DBRP: Limits = Limits::of::<pac::Dbtp>("DBTP.DBRP");
-    const DTSEG1: Limits = Limits::of::<pac::Dbtp>("DBTP.DTSEG1");
-    const DTSEG2: Limits = Limits::of::<pac::Dbtp>("DBTP.DTSEG2");
-    const DSJW: Limits = Limits::of::<pac::Dbtp>("DBTP.DSJW");
-    const TDCO: Limits = Limits::of::<pac::Tdcr>("TDCR.TDCO");
-    const TDCF: Limits = Limits::of::<pac::Tdcr>("TDCR.TDCF");
-    let s = &phase.segments;
-    let (offset, filter) = match phase.compensation {
-        Some(compensation) => (compensation.offset, compensation.filter),
-        None => (0, 0),
-    };
-    // 2.3.4: with compensation the prescaler is 1 or 2.
-    if phase.compensation.is_some() && s.prescaler > 2 {
-        return Err(OutOfRange { field: "DBTP.DBRP", value: s.prescaler, min: 1, max: 2 });
-    }
-    let fields = (
-        DBRP.encode(s.prescaler),
-        DTSEG1.encode(s.propagation.saturating_add(s.phase1)),
-        DTSEG2.encode(s.phase2),
-        DSJW.encode(s.jump_width),
-        TDCO.encode(offset),
-        TDCF.encode(filter),
-    );
-    match fields {
-        (Ok(brp), Ok(seg1), Ok(seg2), Ok(sjw), Ok(tdco), Ok(tdcf)) => {
-            let dbtp = pac::Dbtp::ZERO.with_tdc(phase.compensation.is_some()).with_dbrp(brp as u8);
-            let dbtp = dbtp.with_dtseg1(seg1 as u8).with_dtseg2(seg2 as u8).with_dsjw(sjw as u8);
-            Ok((dbtp, pac::Tdcr::ZERO.with_tdco(tdco as u8).with_tdcf(tdcf as u8)))
-        }
-        (Err(e), ..)
-        | (_, Err(e), ..)
-        | (_, _, Err(e), ..)
-        | (_, _, _, Err(e), ..)
-        | (_, _, _, _, Err(e), _)
-        | (.., Err(e)) => Err(e),
     }
 }
 
@@ -324,11 +257,8 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
         if stored.niso() != inner.cccr.niso() {
             return Err(ConfigError::NotAvailable("NISO"));
         }
-        self.set_bit_timing(&config.timing)?;
+        self.set_bit_timing(&config.timing);
         let inner = &self.inner;
-        if inner.cccr.brse() && config.timing.data.is_none() {
-            return Err(ConfigError::NoDataPhase);
-        }
         inner.regs.rwd().write(pac::Rwd::ZERO.with_wdc(config.ram_watchdog));
         inner.write_counters(config)?;
         inner.write_sections(config)?;
@@ -336,29 +266,24 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
     }
 
     /// Changes the bit timing alone (3.1.3, 2.3.4, 2.3.8), for example while the bit rate of a bus is searched for.
-    ///
-    /// # Errors
-    /// An [`OutOfRange`] value; nothing is changed then.
-    pub fn set_bit_timing(&mut self, timing: &BitTiming) -> Result<(), OutOfRange> {
-        let nbtp = nominal(&timing.nominal)?;
-        let phase = timing.data.as_ref().map(data).transpose()?;
+    pub fn set_bit_timing(&mut self, timing: &MCanTiming) {
         let regs = &self.inner.regs;
-        regs.nbtp().write(nbtp);
-        if let Some((dbtp, tdcr)) = phase {
-            regs.dbtp().write(dbtp);
-            regs.tdcr().write(tdcr);
-        }
-        Ok(())
+        regs.nbtp().write(timing.nbtp);
+        regs.dbtp().write(timing.dbtp);
+        regs.tdcr().write(timing.tdcr);
     }
 
     /// Writes every word of the sections with 0. After reset, a Message RAM with parity or ECC needs it: reading a word
     /// that was never written may be an error that sets CCCR.INIT (2.4, 3.1.1). Filters are disabled by it; call it
     /// before [`Can::configure`].
     pub fn zero_memory(&mut self) {
-        let mut offset = 0;
-        while offset < self.inner.layout.bytes() as usize {
-            self.inner.ram.write(offset, 0_u32);
-            offset += 4;
+        let Inner { ram, layout, .. } = &self.inner;
+        let [fifo_0, fifo_1] = &layout.rx_fifos;
+        let messages = [fifo_0, fifo_1, &layout.rx_buffers, &layout.tx_events, &layout.tx_buffers];
+        for section in [&layout.standard_filters, &layout.extended_filters].into_iter().chain(messages) {
+            for offset in (section.at(0)..section.at(section.count)).step_by(4) {
+                ram.write(offset, 0_u32);
+            }
         }
     }
 }
@@ -388,8 +313,6 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         const F1WM: Limits = Limits::of::<pac::Rxf1c>("RXF1C.F1WM");
         const EFWM: Limits = Limits::of::<pac::Txefc>("TXEFC.EFWM");
         let Self { regs, layout, .. } = self;
-        let sizes = &layout.sizes;
-        let word = |start: u32| ((self.address + start) / 4) as u16;
         let [fifo_0, fifo_1] = &layout.rx_fifos;
         let mode = match config.tx_mode {
             TxMode::Fifo => TxbcTfqm::Fifo,
@@ -399,31 +322,30 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             .with_f0om(config.rx_mode[0])
             .with_f0wm(F0WM.encode(u32::from(config.rx_watermark[0]))? as u8)
             .with_f0s(fifo_0.count)
-            .with_f0sa(word(fifo_0.start));
+            .with_f0sa(fifo_0.word);
         let rxf1c = pac::Rxf1c::ZERO
             .with_f1om(config.rx_mode[1])
             .with_f1wm(F1WM.encode(u32::from(config.rx_watermark[1]))? as u8)
             .with_f1s(fifo_1.count)
-            .with_f1sa(word(fifo_1.start));
+            .with_f1sa(fifo_1.word);
         let txefc = pac::Txefc::ZERO
             .with_efwm(EFWM.encode(u32::from(config.tx_event_watermark))? as u8)
             .with_efs(layout.tx_events.count)
-            .with_efsa(word(layout.tx_events.start));
+            .with_efsa(layout.tx_events.word);
         let sidfc = pac::Sidfc::ZERO.with_lss(layout.standard_filters.count);
         let xidfc = pac::Xidfc::ZERO.with_lse(layout.extended_filters.count);
-        let rxesc = pac::Rxesc::ZERO.with_rbds(sizes.rx_buffer_data);
-        let txbc = pac::Txbc::ZERO.with_tfqm(mode).with_tfqs(sizes.tx_queue).with_ndtb(sizes.tx_dedicated);
-        // SAFETY: `Layout::fits` has checked that all sections lie in the region, which is the controller's by the
+        let txbc = pac::Txbc::ZERO.with_tfqm(mode).with_tfqs(layout.queue()).with_ndtb(layout.dedicated);
+        // SAFETY: `Layout::new` has checked that all sections lie in the region, which is the controller's by the
         // promise made to `Region::new`.
         unsafe {
-            regs.sidfc().write_unsafe(sidfc.with_flssa(word(layout.standard_filters.start)));
-            regs.xidfc().write_unsafe(xidfc.with_flesa(word(layout.extended_filters.start)));
+            regs.sidfc().write_unsafe(sidfc.with_flssa(layout.standard_filters.word));
+            regs.xidfc().write_unsafe(xidfc.with_flesa(layout.extended_filters.word));
             regs.rxf0c().write_unsafe(rxf0c);
             regs.rxf1c().write_unsafe(rxf1c);
-            regs.rxbc().write_unsafe(pac::Rxbc::ZERO.with_rbsa(word(layout.rx_buffers.start)));
-            regs.rxesc().write_unsafe(rxesc.with_f0ds(sizes.rx_fifo_0_data).with_f1ds(sizes.rx_fifo_1_data));
-            regs.txbc().write_unsafe(txbc.with_tbsa(word(layout.tx_buffers.start)));
-            regs.txesc().write_unsafe(pac::Txesc::ZERO.with_tbds(sizes.tx_data));
+            regs.rxbc().write_unsafe(pac::Rxbc::ZERO.with_rbsa(layout.rx_buffers.word));
+            regs.rxesc().write_unsafe(layout.rxesc());
+            regs.txbc().write_unsafe(txbc.with_tbsa(layout.tx_buffers.word));
+            regs.txesc().write_unsafe(layout.txesc());
             regs.txefc().write_unsafe(txefc);
         }
         Ok(())
@@ -443,12 +365,6 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             self.write_extended_filter(index, &filter)?;
         }
         Ok(())
-    }
-
-    /// Messages with a data field of this many bytes find room in this FIFO.
-    pub(super) const fn rx_data(&self, fifo: RxFifo) -> usize {
-        let element = self.layout.rx_fifos[fifo.index()].element as usize;
-        element - m_can_pac::messages::RxBuffer::<R>::HEADER_BYTES
     }
 }
 

@@ -1,21 +1,24 @@
 //! Bosch M_CAN. Sections in comments are of its User's Manual, revision 3.3.1.
 //!
 //! ```
-//! use can_hal::{Polls, Region, m_can::{Can, Config, Layout, Sizes}};
-//! # use can_hal::{Configured, Frame, Receive, StandardId, Transmit, Outcome, timing::*};
+//! use can_hal::{Polls, Region, m_can::{Can, Config, DataFieldSize}};
+//! use can_hal::{memory::{MCanMemory, MCanPlan}, timing::{MCanTiming, Request}};
+//! # use can_hal::{Configured, Frame, Receive, StandardId, Transmit, Outcome};
+//!
+//! // Both are checked when this is compiled.
+//! const TIMING: MCanTiming = MCanTiming::fixed(&Request::new(40_000_000, 1_000_000));
+//! const PLAN: MCanPlan = MCanMemory::new(4352 * 4)
+//!     .rx_fifo_0(8, DataFieldSize::Bytes8)
+//!     .tx_buffers(0, 4, DataFieldSize::Bytes8)
+//!     .fixed();
 //! # let sim = can_sim::Sim::new();
 //! # let ram = sim.add_memory(can_sim::Memory::new(4352));
 //! # let id = sim.add_m_can("can0", can_sim::m_can::MCanConfig::new(ram))?;
 //! # let (registers, memory) = (sim.registers(id), sim.memory(ram));
-//! # const TIMING: BitTiming = BitTiming {
-//! #     nominal: Segments { prescaler: 1, propagation: 15, phase1: 16, phase2: 8, jump_width: 8 },
-//! #     data: None,
-//! # };
 //! // On hardware `registers` and `memory` are `Mmio` at the addresses of the chip.
 //! // SAFETY: nothing else uses this Message RAM.
 //! let region = unsafe { Region::new(memory, 0, 4352 * 4) };
-//! let layout = Layout::packed(&Sizes { rx_fifo_0: 8, tx_queue: 4, ..Sizes::NONE })?;
-//! let mut can = Can::new(registers, region, layout, Polls(100))?;
+//! let mut can = Can::new(registers, region, &PLAN, Polls(100))?;
 //! can.configure(&Config::new(TIMING))?;
 //! let mut can = can.start_loop_back(Polls(100)).map_err(|refused| refused.error)?;
 //!
@@ -64,12 +67,12 @@ use core::{fmt, marker::PhantomData};
 use m_can_pac::{MCan, Mmio, registers as pac};
 use regbus::Bus;
 
-use crate::{Deadline, Region, deadline::wait, error::Refused, mode::Configuration};
+use crate::{Deadline, Region, deadline::wait, error::Refused, memory::MCanPlan, mode::Configuration};
+use layout::Layout;
 
 pub use config::{Config, ConfigError, FdMode, Timeout, Timestamping, TxMode};
 pub use filter::{Action, DebugMessage, ExtendedFilter, Filter, FilterError, Matching, StandardFilter};
 pub use interrupts::Line;
-pub use layout::{Layout, LayoutError, Sizes};
 pub use m_can_pac::{
     enums::{DataFieldSize, FifoMode, NonMatching, ToccTos as TimeoutSource},
     registers::Ir as Interrupts,
@@ -89,8 +92,6 @@ pub struct Can<S, R: Bus = Mmio, M: Bus = R> {
 struct Inner<R: Bus, M: Bus> {
     regs: MCan<R>,
     ram: M,
-    /// Where the Message RAM begins for the controller.
-    address: u32,
     layout: Layout,
     /// The bits of CCCR that the configuration sets. Every write of CCCR starts from them, never from what was read:
     /// hardware changes CSR, ASM and INIT (2.3.7).
@@ -113,15 +114,14 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
     /// bus leaves it at once.
     ///
     /// # Errors
-    /// [`ConfigError::Layout`] if the layout is longer than the region or not at a word address within the first 64 KiB,
-    /// [`ConfigError::TimedOut`] if the controller does not follow.
+    /// [`ConfigError::OutsideRegion`] if a section of the plan does not lie in the region, [`ConfigError::TimedOut`] if the controller does not follow.
     pub fn new(
         registers: R,
         region: Region<M>,
-        layout: Layout,
+        plan: &MCanPlan,
         mut deadline: impl Deadline,
     ) -> Result<Self, ConfigError> {
-        layout.fits(region.address(), region.bytes())?;
+        let layout = Layout::new(plan, &region)?;
         let regs = MCan::new(registers);
         // What else is set there can be changed only in configuration mode.
         let stopped = regs.cccr().read().with_init(true).with_csr(false);
@@ -132,7 +132,6 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
         let inner = Inner {
             regs,
             ram: region.bus(),
-            address: region.address(),
             layout,
             cccr: pac::Cccr::ZERO,
             cancelled: 0,
@@ -150,9 +149,16 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
         &self.inner.regs
     }
 
-    /// Where the sections of the Message RAM lie.
-    pub const fn layout(&self) -> &Layout {
-        &self.inner.layout
+    /// Data bytes that an element of an Rx FIFO holds.
+    #[must_use]
+    pub const fn fifo_data_len(&self, fifo: RxFifo) -> usize {
+        self.inner.layout.rx_fifos[fifo.index()].data()
+    }
+
+    /// Data bytes that a Tx Buffer holds.
+    #[must_use]
+    pub const fn tx_data_len(&self) -> usize {
+        self.inner.layout.tx_buffers.data()
     }
 
     fn into_mode<T>(self) -> Can<T, R, M> {

@@ -129,8 +129,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let element = RxBuffer::new(self.ram, section.at(index));
         let (r0, r1) = (element.r0().read(), element.r1a().read());
         let format = decode_format(r1.fdf(), r0.rtr(), r1.brs(), r0.esi());
-        let room = section.element as usize - RxBuffer::<M>::HEADER_BYTES;
-        let payload = Payload::<u32, M>::new(self.ram, element.offset() + RxBuffer::<M>::HEADER_BYTES, room);
+        let payload = Payload::<u32, M>::new(self.ram, element.offset() + RxBuffer::<M>::HEADER_BYTES, section.data());
         let frame = Frame::read_with(decode_id(r0.xtd(), r0.id()), format, decode_dlc(r1.dlc()), |data| {
             payload.read(data);
         });
@@ -241,11 +240,5 @@ impl<S: OnBus, R: Bus, M: Bus> Can<S, R, M> {
     pub fn read_buffer(&self, buffer: u8) -> Option<RxMessage> {
         let section = &self.inner.layout.rx_buffers;
         (buffer < section.count).then(|| self.inner.read_element(section, buffer))
-    }
-
-    /// Data bytes that an element of an Rx FIFO holds.
-    #[must_use]
-    pub const fn fifo_data_len(&self, fifo: RxFifo) -> usize {
-        self.inner.rx_data(fifo)
     }
 }

@@ -64,7 +64,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     /// Whether the configuration and the elements can carry a frame.
     #[inline]
     fn carries(&self, frame: &Frame, options: TxOptions) -> Result<(), SendError> {
-        let room = self.layout.tx_buffers.element as usize - TxBuffer::<M>::HEADER_BYTES;
+        let room = self.layout.tx_buffers.data();
         if frame.len() > room {
             return Err(SendError::TooLong { len: frame.len() as u8, room: room as u8 });
         }
@@ -101,8 +101,8 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             .with_brs(frame.bit_rate_switch())
             .with_dlc(DataLengthCode::from_bits(frame.dlc().code()));
         element.t1().write(t1);
-        let room = self.layout.tx_buffers.element as usize - TxBuffer::<M>::HEADER_BYTES;
-        let payload = Payload::<u32, M>::new(self.ram, element.offset() + TxBuffer::<M>::HEADER_BYTES, room);
+        let offset = element.offset() + TxBuffer::<M>::HEADER_BYTES;
+        let payload = Payload::<u32, M>::new(self.ram, offset, self.layout.tx_buffers.data());
         payload.write(frame.data_bytes(), 0);
     }
 
@@ -165,7 +165,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         frame: &Frame,
         options: TxOptions,
     ) -> Result<Ticket, SendError> {
-        let count = self.layout.sizes.tx_dedicated;
+        let count = self.layout.dedicated;
         if buffer >= count {
             return Err(SendError::NoSuchBuffer { buffer, count });
         }
@@ -183,7 +183,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     pub(super) fn free_dedicated(&self) -> Option<u8> {
         let pending = self.regs.txbar().read().bits() | self.regs.txbrp().read().bits();
         let free = pending.trailing_ones() as u8;
-        (free < self.layout.sizes.tx_dedicated).then_some(free)
+        (free < self.layout.dedicated).then_some(free)
     }
 
     /// 2.3.38, 2.3.41, 2.3.42, 3.1.7
@@ -246,7 +246,7 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
         if status.full || usize::from(status.free) < frames.len() {
             return Err(SendError::Full);
         }
-        let (first, count) = (inner.layout.sizes.tx_dedicated, inner.layout.sizes.tx_queue);
+        let (first, count) = (inner.layout.dedicated, inner.layout.queue());
         let (mut buffer, mut requests, mut last) = (status.put, 0, None);
         for frame in frames {
             inner.write_element(buffer, frame, TxOptions::default());
@@ -273,7 +273,7 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
     /// As for [`Can::send_buffer`].
     pub fn write_buffer(&mut self, buffer: u8, frame: &Frame, options: TxOptions) -> Result<Ticket, SendError> {
         let inner = &self.inner;
-        let count = inner.layout.sizes.tx_dedicated;
+        let count = inner.layout.dedicated;
         if buffer >= count {
             return Err(SendError::NoSuchBuffer { buffer, count });
         }
@@ -308,11 +308,5 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
     #[must_use]
     pub fn is_tx_queue(&self) -> bool {
         self.inner.regs.txbc().read().tfqm() == TxbcTfqm::Queue
-    }
-
-    /// Data bytes that a Tx Buffer holds.
-    #[must_use]
-    pub const fn tx_data_len(&self) -> usize {
-        self.inner.layout.tx_buffers.element as usize - TxBuffer::<M>::HEADER_BYTES
     }
 }

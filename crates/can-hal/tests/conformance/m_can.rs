@@ -2,9 +2,10 @@
 
 use can_hal::{
     Capabilities, Configured, Id, Polls, Region,
-    m_can::{Can, Config, DataFieldSize, FifoMode, Filter, Interrupts, Layout, Line, Sizes, Timestamping, TxMode},
+    m_can::{Can, Config, DataFieldSize, FifoMode, Filter, Interrupts, Line, Timestamping, TxMode},
+    memory::{MCanMemory, MCanPlan},
     mode::Configuration,
-    timing::{BitTiming, DataPhase, Segments},
+    timing::{MCanTiming, Request, SamplePoint},
 };
 use can_sim::{
     Handle, Memory, MemoryBus, MemoryId, RegisterBus, Sim, Time,
@@ -17,13 +18,16 @@ use crate::bench::{Bench, Setup};
 /// Words of a Message RAM.
 const WORDS: usize = 4352;
 
-const TIMING: BitTiming = BitTiming {
-    nominal: Segments { prescaler: 1, propagation: 15, phase1: 16, phase2: 8, jump_width: 8 },
-    data: Some(DataPhase {
-        segments: Segments { prescaler: 1, propagation: 2, phase1: 3, phase2: 2, jump_width: 2 },
-        compensation: None,
-    }),
-};
+/// The sample points of `NodeConfig::new`.
+const TIMING: MCanTiming =
+    MCanTiming::fixed(&Request::new(40_000_000, 1_000_000).sample_point(SamplePoint::percent(80)).data(5_000_000));
+
+const PLAN: MCanPlan = MCanMemory::new(WORDS as u32 * 4)
+    .standard_filters(4)
+    .extended_filters(4)
+    .rx_fifo_0(MCan::RX_DEPTH as u32, DataFieldSize::Bytes64)
+    .tx_buffers(0, MCan::TX_DEPTH as u32, DataFieldSize::Bytes64)
+    .fixed();
 
 #[derive(Clone, Copy)]
 pub struct MCan {
@@ -75,15 +79,7 @@ impl Bench for MCan {
     fn set_up<'a>(self, sim: &'a Sim, setup: &Setup<'_>) -> Self::Can<'a> {
         // SAFETY: nothing else uses this memory.
         let region = unsafe { Region::new(sim.memory(self.ram), 0, WORDS as u32 * 4) };
-        let sizes = Sizes {
-            standard_filters: 4,
-            extended_filters: 4,
-            rx_fifo_0: Self::RX_DEPTH as u8,
-            tx_queue: Self::TX_DEPTH as u8,
-            ..Sizes::NONE
-        };
-        let layout = Layout::packed(&sizes.with_data(DataFieldSize::Bytes64)).unwrap();
-        let mut can = Can::new(sim.registers(self.id), region, layout, Polls(Self::MODE_POLLS)).unwrap();
+        let mut can = Can::new(sim.registers(self.id), region, &PLAN, Polls(Self::MODE_POLLS)).unwrap();
         let action = can_hal::m_can::Action::Fifo0;
         let (mut standard, mut extended) = (Vec::new(), Vec::new());
         for id in setup.accept {

@@ -2,9 +2,10 @@
 
 use can_hal::{
     Frame, Polls, Region,
-    m_can::{Can, Config, DataFieldSize, Layout, Sizes},
+    m_can::{Can, Config, DataFieldSize},
+    memory::MCanMemory,
     mode::{Configuration, Running},
-    timing::{BitTiming, DataPhase, Segments},
+    timing::{MCanTiming, Request, SamplePoint},
 };
 use can_sim::{
     AccessRecord, Handle, Memory, MemoryBus, MemoryId, PeerId, RegisterBus, Sim, Time,
@@ -14,28 +15,20 @@ use can_wire::NodeConfig;
 
 pub type Driver<'a, S> = Can<S, RegisterBus<'a>, MemoryBus<'a>>;
 
-/// 1 Mbit/s and 5 Mbit/s at 40 MHz.
-pub const TIMING: BitTiming = BitTiming {
-    nominal: Segments { prescaler: 1, propagation: 15, phase1: 16, phase2: 8, jump_width: 8 },
-    data: Some(DataPhase {
-        segments: Segments { prescaler: 1, propagation: 2, phase1: 3, phase2: 2, jump_width: 2 },
-        compensation: None,
-    }),
-};
+/// 1 Mbit/s and 5 Mbit/s at 40 MHz, with the sample points of [`NodeConfig::new`]: nodes that switch the bit rate do so at
+/// their sample point, so all have to have the same.
+pub const REQUEST: Request = Request::new(40_000_000, 1_000_000).sample_point(SamplePoint::percent(80)).data(5_000_000);
+pub const TIMING: MCanTiming = MCanTiming::fixed(&REQUEST);
 
 /// Some of everything, with room for 64 data bytes.
-pub const SIZES: Sizes = Sizes {
-    standard_filters: 8,
-    extended_filters: 4,
-    rx_fifo_0: 6,
-    rx_fifo_1: 4,
-    rx_buffers: 64,
-    tx_events: 4,
-    tx_dedicated: 3,
-    tx_queue: 4,
-    ..Sizes::NONE
-}
-.with_data(DataFieldSize::Bytes64);
+pub const MEMORY: MCanMemory = MCanMemory::new(4352 * 4)
+    .standard_filters(8)
+    .extended_filters(4)
+    .rx_fifo_0(6, DataFieldSize::Bytes64)
+    .rx_fifo_1(4, DataFieldSize::Bytes64)
+    .rx_buffers(64, DataFieldSize::Bytes64)
+    .tx_event_fifo(4)
+    .tx_buffers(3, 4, DataFieldSize::Bytes64);
 
 /// Longer than any frame.
 pub const FRAME: Time = Time::from_us(700);
@@ -59,14 +52,14 @@ impl Bench {
     }
 
     #[allow(unsafe_code, reason = "a simulated memory of its own")]
-    pub fn driver(&self, sizes: &Sizes) -> Driver<'_, Configuration> {
+    pub fn driver(&self, memory: &MCanMemory) -> Driver<'_, Configuration> {
         // SAFETY: nothing else uses this memory.
         let region = unsafe { Region::new(self.sim.memory(self.ram), 0, 4352 * 4) };
-        Can::new(self.sim.registers(self.id), region, Layout::packed(sizes).unwrap(), Polls(20)).unwrap()
+        Can::new(self.sim.registers(self.id), region, &memory.plan().unwrap(), Polls(20)).unwrap()
     }
 
     pub fn configured(&self, config: &Config<'_>) -> Driver<'_, Configuration> {
-        let mut can = self.driver(&SIZES);
+        let mut can = self.driver(&MEMORY);
         can.configure(config).unwrap();
         can
     }

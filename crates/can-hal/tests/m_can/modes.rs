@@ -4,7 +4,7 @@ use can_hal::{
     ErrorState, LastError, Polls, Receive, StandardId, TimedOut, Transmit,
     m_can::{Activity, Config, Interrupts, Line, TxOptions},
     mode::Restricted,
-    timing::{BitTiming, Segments},
+    timing::{MCanTiming, Request},
 };
 use can_sim::Time;
 use can_wire::{Disturbance, NodeConfig};
@@ -39,8 +39,8 @@ fn section_3_1_1_software_initialization() {
 fn section_3_1_1_message_ram_is_initialized() {
     let bench = Bench::new();
     bench.sim.with_memory(bench.ram, |memory| memory.words_mut().fill(0xDEAD_BEEF));
-    let mut can = bench.driver(&crate::bench::SIZES);
-    let words = can.layout().bytes() as usize / 4;
+    let mut can = bench.driver(&crate::bench::MEMORY);
+    let words = crate::bench::MEMORY.plan().unwrap().end() as usize / 4;
     can.zero_memory();
     bench.sim.with_memory(bench.ram, |memory| {
         assert!(memory.words()[..words].iter().all(|word| *word == 0));
@@ -55,7 +55,7 @@ fn section_3_1_1_message_ram_is_initialized() {
 fn section_3_1_1_a_running_controller_is_taken_over() {
     let bench = Bench::new();
     bench.running(&Config::new(TIMING).with_fd());
-    let mut can = bench.driver(&crate::bench::SIZES);
+    let mut can = bench.driver(&crate::bench::MEMORY);
     can.configure(&Config::new(TIMING)).unwrap();
     bench.finish();
 }
@@ -65,17 +65,17 @@ fn section_3_1_1_a_running_controller_is_taken_over() {
 fn section_3_1_5_bit_rate_detection_in_restricted_mode() {
     let bench = Bench::new();
     let (sender, other) = (bench.peer(), bench.peer());
-    let timing = |prescaler| BitTiming { nominal: Segments { prescaler, ..TIMING.nominal }, data: None };
-    let mut can = bench.driver(&crate::bench::SIZES);
-    can.configure(&Config::new(timing(8))).unwrap();
+    let timing = |rate| MCanTiming::solve(&Request::new(40_000_000, rate)).unwrap();
+    let mut can = bench.driver(&crate::bench::MEMORY);
+    can.configure(&Config::new(timing(125_000))).unwrap();
     let mut found = None;
-    for prescaler in [8, 4, 2, 1] {
-        can.set_bit_timing(&timing(prescaler)).unwrap();
+    for rate in [125_000, 250_000, 500_000, 1_000_000] {
+        can.set_bit_timing(&timing(rate));
         let mut listening: Driver<'_, Restricted> = can.start_restricted(Polls(20)).unwrap();
         assert!(listening.is_restricted());
         bench.send(sender, &["123#0102", "124#", "125#01", "126#"]);
         if listening.fetch().unwrap().is_some() {
-            found = Some(prescaler);
+            found = Some(rate);
             let mut can = listening.leave_restricted();
             assert!(!can.is_restricted());
             let ticket = can.send(&frame("321#")).unwrap();
@@ -84,7 +84,7 @@ fn section_3_1_5_bit_rate_detection_in_restricted_mode() {
         }
         can = listening.into_configuration(Polls(20)).unwrap();
     }
-    assert_eq!(found, Some(1));
+    assert_eq!(found, Some(1_000_000));
     assert_eq!(bench.sim.peer_sent(sender).len(), 16, "nobody was disturbed");
     assert!(bench.seen(other).contains(&"321#".to_owned()));
     bench.finish();

@@ -118,7 +118,7 @@ fn section_2_3_7_what_was_not_synthesized_is_told() {
         config.iso_only = true;
         config
     });
-    let mut can = bench.driver(&crate::bench::SIZES);
+    let mut can = bench.driver(&crate::bench::MEMORY);
     let config = Config { timestamps: Timestamping::Unit, ..Config::new(TIMING) };
     assert_eq!(can.configure(&config), Err(ConfigError::NotAvailable("UTSU")));
     let fd = FdMode::Fd { bit_rate_switch: true, non_iso: true };

@@ -2,7 +2,8 @@
 
 use can_hal::{
     Outcome, Polls, SendError, Transmit,
-    m_can::{Config, Interrupts, TxEventKind, TxMode, TxOptions},
+    m_can::{Config, DataFieldSize, Interrupts, TxEventKind, TxMode, TxOptions},
+    memory::MCanMemory,
 };
 use can_sim::Time;
 
@@ -92,8 +93,8 @@ fn section_3_5_4_tx_queue() {
 #[test]
 fn section_2_3_36_put_index() {
     let bench = Bench::new();
-    let sizes = can_hal::m_can::Sizes { tx_dedicated: 12, tx_queue: 20, ..can_hal::m_can::Sizes::NONE };
-    let mut can = bench.driver(&sizes);
+    let memory = MCanMemory::new(4352 * 4).tx_buffers(12, 20, DataFieldSize::Bytes8);
+    let mut can = bench.driver(&memory);
     can.configure(&Config::new(TIMING)).unwrap();
     let mut can = can.start_normal(Polls(20)).unwrap();
     bench.sim.run_for(FRAME);
@@ -246,7 +247,7 @@ fn table_58_possible_frame_formats() {
 #[test]
 fn section_2_3_37_data_field_size() {
     let bench = Bench::new();
-    let mut can = bench.driver(&can_hal::m_can::Sizes { tx_queue: 1, ..can_hal::m_can::Sizes::NONE });
+    let mut can = bench.driver(&MCanMemory::new(4352 * 4).tx_buffers(0, 1, DataFieldSize::Bytes8));
     can.configure(&Config::new(TIMING).with_fd()).unwrap();
     let mut can = can.start_normal(Polls(20)).unwrap();
     let long = frame("123##1000102030405060708090A0B");

@@ -28,6 +28,11 @@ pub trait Subject {
     /// Registers whose writes make the model do more than store; each has tests of its own.
     fn acts(register: &str) -> bool;
 
+    /// Registers that the host should not read: the model reports it.
+    fn reads_are_reported(_register: &str) -> bool {
+        false
+    }
+
     /// Brings a named condition about, or the contrary, where forcing its fields is not enough. Returns false to leave it
     /// to the fields.
     fn bring_about(_sim: &Sim, _id: Handle<Self::Model>, _condition: &str, _holds: bool) -> bool {
@@ -133,6 +138,9 @@ pub fn reset_values<S: Subject>() -> u32 {
             let name = sim.inspect(id, |model| model.registers().name(at.slot(model.registers())));
             assert_eq!(value & known, at.info.reset & known, "{name}");
             assert_eq!(value & !readable(at), 0, "{name}: bits that do not exist or are not readable");
+        }
+        if S::reads_are_reported(at.info.name) {
+            assert_eq!(sim.take_diagnostics().len(), 2, "{}", at.info.name);
         }
         count += 1;
     }
