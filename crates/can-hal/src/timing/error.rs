@@ -39,7 +39,7 @@ pub enum Bound {
     Prescaler,
     /// Both phases need the same prescaler.
     EqualPrescalers,
-    /// Range of the propagation segment.
+    /// Range of the propagation segment, or a bit that is too short for it.
     Propagation,
     /// Range of phase segment 1.
     Phase1,
@@ -80,7 +80,7 @@ impl Bound {
             Self::BitRate => "the rate is above the highest that the manual allows",
             Self::Prescaler => "the prescaler is out of range",
             Self::EqualPrescalers => "no prescaler serves both phases",
-            Self::Propagation => "the propagation segment is out of range",
+            Self::Propagation => "the propagation segment is out of range or leaves no room in the bit",
             Self::Phase1 => "phase segment 1 is out of range",
             Self::Phase2 => "phase segment 2 is out of range",
             Self::Phase2WithinPhase1 => "phase segment 2 is longer than the segments before it allow",

@@ -22,6 +22,12 @@ impl FieldRange {
         Self { min: min.saturating_add_signed(field.add), max: max.saturating_add_signed(field.add), add: field.add }
     }
 
+    /// A field that is programmed with the number minus 1, as most are: for controllers without a description here.
+    #[must_use]
+    pub const fn less_one(min: u32, max: u32) -> Self {
+        Self { min, max, add: 1 }
+    }
+
     /// Whether the field can be set to a number.
     #[must_use]
     pub const fn contains(&self, number: u32) -> bool {

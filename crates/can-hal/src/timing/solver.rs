@@ -47,11 +47,18 @@ impl Candidate {
     }
 }
 
-/// The values phase segment 2 can take.
+/// The numbers from `min` to `max`.
 #[derive(Clone, Copy)]
 struct Interval {
     min: u32,
     max: u32,
+}
+
+impl Interval {
+    /// `None` if it is empty.
+    const fn checked(self) -> Option<Self> {
+        if self.min <= self.max { Some(self) } else { None }
+    }
 }
 
 const fn min(a: u32, b: u32) -> u32 {
@@ -112,49 +119,70 @@ impl Search<'_> {
         Interval { min: max(least, before.saturating_sub(longest)), max: min(most, before.saturating_sub(shortest)) }
     }
 
-    /// What phase segment 2 can be in a bit of so many quanta; `None` if nothing.
-    const fn phase2(&self, prescaler: u32, quanta: u32) -> Option<Interval> {
+    /// Shortest and longest time between the synchronization segment and the sample point; `None` if there is none.
+    const fn before(&self, prescaler: u32) -> Option<Interval> {
         let limits = self.limits;
-        let (Some(rest), shortest) = (quanta.checked_sub(Segments::SYNC), self.shortest_propagation(prescaler)) else {
-            return None;
-        };
-        // Shortest and longest time between the synchronization segment and the sample point.
-        let (least, most) = match limits.propagation {
+        let shortest = self.shortest_propagation(prescaler);
+        let interval = match limits.propagation {
             Some(range) => {
-                if !(range.contains(shortest)) {
+                if !range.contains(shortest) {
                     return None;
                 }
                 let longest = min(self.longest_propagation(), range.max);
-                (shortest.saturating_add(limits.phase1.min), longest.saturating_add(limits.phase1.max))
+                Interval { min: shortest + limits.phase1.min, max: longest + limits.phase1.max }
             }
-            None => {
-                let most = min(limits.phase1.max, self.longest_propagation().saturating_add(limits.phase1.max));
-                (max(limits.phase1.min, shortest.saturating_add(1)), most)
+            None => Interval { min: max(limits.phase1.min, shortest.saturating_add(1)), max: limits.phase1.max },
+        };
+        interval.checked()
+    }
+
+    /// How many quanta a bit can have; `None` if no number fits.
+    const fn quanta(&self, prescaler: u32) -> Option<Interval> {
+        let limits = self.limits;
+        let Some(before) = self.before(prescaler) else { return None };
+        let shortest = self.shortest_propagation(prescaler);
+        let (least, most) = match limits.phase2_within {
+            Phase2Within::Anything => (before.min, limits.phase2.max),
+            Phase2Within::Phase1 => (
+                max(before.min, shortest.saturating_add(limits.phase2.min)),
+                min(limits.phase2.max, self.phase1(prescaler, before.max).max),
+            ),
+            Phase2Within::PropagationAndPhase1 => {
+                (max(before.min, limits.phase2.min), min(limits.phase2.max, before.max))
             }
         };
+        let mut interval = Interval {
+            min: max(limits.min_quanta, Segments::SYNC.saturating_add(least).saturating_add(limits.phase2.min)),
+            max: min(limits.max_quanta, Segments::SYNC + before.max + most),
+        };
+        if let Some(fixed) = self.request.quanta {
+            interval = Interval { min: max(interval.min, fixed), max: min(interval.max, fixed) };
+        }
+        interval.checked()
+    }
+
+    /// What phase segment 2 can be in a bit of so many quanta; `None` if nothing.
+    const fn phase2(&self, prescaler: u32, quanta: u32) -> Option<Interval> {
+        let limits = self.limits;
+        let Some(before) = self.before(prescaler) else { return None };
+        let rest = quanta - Segments::SYNC;
         let within = match limits.phase2_within {
             Phase2Within::Anything => u32::MAX,
             // phase2 <= phase1 <= rest - phase2 - shortest propagation, and phase1 has a limit of its own.
-            Phase2Within::Phase1 => min(rest.saturating_sub(shortest) / 2, limits.phase1.max),
+            Phase2Within::Phase1 => {
+                min(rest.saturating_sub(self.shortest_propagation(prescaler)) / 2, limits.phase1.max)
+            }
             Phase2Within::PropagationAndPhase1 => rest / 2,
         };
         let interval = Interval {
-            min: max(limits.phase2.min, rest.saturating_sub(most)),
-            max: min(min(limits.phase2.max, rest.saturating_sub(least)), within),
+            min: max(limits.phase2.min, rest.saturating_sub(before.max)),
+            max: min(min(limits.phase2.max, rest.saturating_sub(before.min)), within),
         };
-        if interval.min <= interval.max { Some(interval) } else { None }
+        interval.checked()
     }
 
     /// The best for a prescaler and a number of quanta.
     const fn at(&self, prescaler: u32, quanta: u32) -> Option<Candidate> {
-        if quanta < self.limits.min_quanta || quanta > self.limits.max_quanta {
-            return None;
-        }
-        if let Some(fixed) = self.request.quanta
-            && fixed != quanta
-        {
-            return None;
-        }
         let Some(interval) = self.phase2(prescaler, quanta) else { return None };
         let target = self.request.target().get() as u64;
         // An early sample point wins over an equally late one, so the longer phase segment 2 is tried first.
@@ -183,15 +211,19 @@ impl Search<'_> {
         }
     }
 
-    /// The best for a prescaler.
-    const fn at_prescaler(&self, prescaler: u32) -> Option<Candidate> {
+    /// The numbers of quanta that bring the bit rate nearest from above and from below.
+    const fn nearest_quanta(&self, prescaler: u32) -> Option<Interval> {
+        let Some(possible) = self.quanta(prescaler) else { return None };
         let per_quantum = self.divider as u64 * prescaler as u64 * self.request.bit_rate as u64;
         let low = self.clock as u64 / per_quantum;
-        if low > self.limits.max_quanta as u64 {
-            return self.at(prescaler, self.limits.max_quanta);
-        }
-        let low = low as u32;
-        match (self.at(prescaler, max(low, self.limits.min_quanta)), self.at(prescaler, low + 1)) {
+        let low = if low > possible.max as u64 { possible.max } else { max(low as u32, possible.min) };
+        Some(Interval { min: low, max: min(low + 1, possible.max) })
+    }
+
+    /// The best for a prescaler.
+    const fn at_prescaler(&self, prescaler: u32) -> Option<Candidate> {
+        let Some(quanta) = self.nearest_quanta(prescaler) else { return None };
+        match (self.at(prescaler, quanta.min), self.at(prescaler, quanta.max)) {
             (Some(a), Some(b)) => Some(if b.better(&a) { b } else { a }),
             (Some(one), None) | (None, Some(one)) => Some(one),
             (None, None) => None,
@@ -223,12 +255,9 @@ impl Search<'_> {
 
     /// Notes the rates next to the requested one that a prescaler can make.
     const fn note(&self, nearest: &mut Nearest, prescaler: u32) {
-        let per_quantum = self.divider as u64 * prescaler as u64 * self.request.bit_rate as u64;
-        let low = self.clock as u64 / per_quantum;
-        let mut quanta = if low > self.limits.max_quanta as u64 { self.limits.max_quanta } else { low as u32 };
-        quanta = max(quanta, self.limits.min_quanta);
-        let last = quanta.saturating_add(1);
-        while quanta <= last {
+        let Some(around) = self.nearest_quanta(prescaler) else { return };
+        let mut quanta = around.min;
+        while quanta <= around.max {
             if self.at(prescaler, quanta).is_some() {
                 let periods = self.divider as u64 * prescaler as u64 * quanta as u64;
                 let rate = BitRate::new(self.clock, periods);
@@ -252,10 +281,16 @@ impl Search<'_> {
         }
     }
 
+    /// Whether the propagation segment was asked for, so that it may be what makes the bit too long.
+    const fn propagation_decides(&self) -> bool {
+        !matches!(self.propagation, Propagation::Longest)
+    }
+
     /// Why the requested rate cannot be made.
     const fn bound(&self, nearest: &Nearest) -> Bound {
         match (nearest.below, nearest.above) {
             (Some(_), Some(_)) => Bound::Divisor,
+            (Some(_), None) if self.propagation_decides() => Bound::Propagation,
             (Some(_), None) => Bound::ShortestBit,
             (None, Some(_)) => Bound::LongestBit,
             (None, None) => Bound::Propagation,
@@ -469,8 +504,8 @@ impl Limits {
             Compensation::On => Some(true),
             Compensation::Automatic => {
                 // The sample point in nanoseconds, times 10 000 times the bit rate on both sides.
-                let sample = data.target().get() as u64 * 1_000_000_000;
-                let delay = request.loop_delay as u64 * data.bit_rate as u64 * 10_000;
+                let sample = data.target().get() as u128 * 1_000_000_000;
+                let delay = request.loop_delay as u128 * data.bit_rate as u128 * 10_000;
                 if self.delay.is_none() {
                     None
                 } else if sample <= delay {
@@ -505,9 +540,14 @@ impl Limits {
             Prescalers::Equal => match equal(nominal, data) {
                 Some((n, d)) => {
                     let nothing = Nearest { below: None, above: None };
-                    ok!(nominal.accept(Phase::Nominal, request, &n, nothing));
-                    ok!(data.accept(Phase::Data, request, &d, nothing));
-                    (n, d)
+                    let accepted = (
+                        nominal.accept(Phase::Nominal, request, &n, nothing),
+                        data.accept(Phase::Data, request, &d, nothing),
+                    );
+                    match accepted {
+                        (Ok(()), Ok(())) => (n, d),
+                        _ => return Err(limit(Phase::Data, Bound::EqualPrescalers)),
+                    }
                 }
                 None => return Err(limit(Phase::Data, Bound::EqualPrescalers)),
             },
