@@ -49,6 +49,9 @@ pub trait Station: Copy {
 
     /// Enables the interrupts for received and sent messages, errors and error states.
     fn enable_interrupts(can: &mut Running<'_, Self>);
+
+    /// Enables or disables the interrupt for single errors, which a node that recovers from bus off may raise all the time.
+    fn report_errors(can: &mut Running<'_, Self>, on: bool);
 }
 
 /// A controller in normal operation.

@@ -9,6 +9,7 @@ pub mod controllers;
 mod error;
 pub mod files;
 pub mod html;
+pub mod moments;
 mod picture;
 pub mod play;
 pub mod story;

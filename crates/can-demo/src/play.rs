@@ -27,7 +27,7 @@ const REPAIRED: Time = Time::from_us(500);
 /// How often the driver of a node that is bus off looks at its state.
 const TICK: Time = Time::from_us(200);
 /// Time between two frames of the panel while the motor is bus off.
-const PERIOD: Time = Time::from_us(700);
+const PERIOD: Time = Time::from_us(800);
 /// Delay of each node's transceiver in each direction.
 const DELAY: Time = Time::from_ns(80);
 /// Longer than anything that the story waits for should take.
@@ -155,7 +155,10 @@ fn start<'a, S: Station>(
 
 impl<A: Station, B: Station> Stage<'_, A, B> {
     fn act(&mut self, title: &'static str) {
-        let now = self.sim.now();
+        self.act_from(title, self.sim.now());
+    }
+
+    fn act_from(&mut self, title: &'static str, now: Time) {
         if let Some(last) = self.acts.last_mut() {
             last.until = now;
         }
@@ -195,9 +198,11 @@ impl<A: Station, B: Station> Stage<'_, A, B> {
         }
     }
 
-    /// Lets the drivers do their work for a while.
+    /// Lets the drivers do their work for a while, or until the motor's driver sees another error state.
     fn serve_until(&mut self, until: Time) -> Result<(), Error> {
-        while self.sim.now() < until {
+        let state = |stage: &Self| stage.motor.status.map(|status| status.error_state);
+        let before = state(self);
+        while self.sim.now() < until && state(self) == before {
             let (motor, panel) = (self.motor.station, self.panel.station);
             self.sim.run_until(until.since(self.sim.now()), |sim| motor.line(sim) || panel.line(sim));
             self.serve()?;
@@ -229,6 +234,19 @@ impl<A: Station, B: Station> Stage<'_, A, B> {
     fn all_sent(&mut self) -> Result<(), Error> {
         self.wait_for("frames to be sent", |stage| stage.motor.pending.is_empty() && stage.panel.pending.is_empty())?;
         self.serve_for(Time::from_us(60))
+    }
+
+    /// The motor's driver wants to hear of single errors, or not.
+    fn report_errors(&mut self, on: bool) {
+        let begin = self.sim.now();
+        A::report_errors(&mut self.motor.can, on);
+        note(self.sim, &mut self.steps, self.motor.node, begin, Deed::ReportsErrors(on));
+    }
+
+    /// The faults are over.
+    fn undisturbed(&mut self) {
+        let now = self.sim.now();
+        self.faults.iter_mut().filter(|fault| fault.until.is_none()).for_each(|fault| fault.until = Some(now));
     }
 
     /// Disturbs the next frames of the motor.
@@ -309,6 +327,7 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
     stage.disturb(motor, 1);
     stage.motor_sends()?;
     stage.all_sent()?;
+    stage.undisturbed();
 
     stage.act("The fault stays");
     stage.disturb(motor, u32::MAX);
@@ -319,6 +338,7 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
 
     stage.act("Bus off, and the way back");
     let off = stage.sim.now();
+    stage.report_errors(false);
     let mut policy = RestartAfter::new(PAUSE.as_ps());
     let mut next_frame = off + PERIOD;
     let mut fault = true;
@@ -330,7 +350,7 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
         if fault && now >= off + REPAIRED {
             fault = false;
             stage.sim.with_wire(can_wire::Wire::clear_faults);
-            stage.faults.iter_mut().filter(|fault| fault.until.is_none()).for_each(|fault| fault.until = Some(now));
+            stage.undisturbed();
         }
         if now >= next_frame {
             next_frame += PERIOD;
@@ -347,7 +367,10 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
         stage.serve_until(now + TICK)?;
     }
 
-    stage.act("Back on the bus");
+    // With the interrupt that has told the driver.
+    let back = stage.steps.last().map_or(stage.sim.now(), |step| step.time);
+    stage.act_from("Back on the bus", back);
+    stage.report_errors(true);
     stage.all_sent()?;
     stage.motor_sends()?;
     stage.all_sent()?;

@@ -74,6 +74,8 @@ pub enum Deed {
     Looked(Status),
     /// It has begun the recovery from bus off.
     Restarted,
+    /// It has enabled or disabled the interrupt for single errors.
+    ReportsErrors(bool),
 }
 
 /// One step of a driver with its accesses to registers.
@@ -132,7 +134,7 @@ pub enum Doing {
     Suspends,
     /// It waits for 11 recessive bits.
     Integrates,
-    /// It is off the bus for its errors.
+    /// It is off the bus for its errors, or on its way back.
     BusOff,
     /// Intermission and idle.
     Rests,
@@ -317,7 +319,24 @@ impl Story {
         if let Some(last) = spans.last_mut() {
             last.until = self.end;
         }
+        for (from, until) in self.bus_off(node) {
+            spans.retain(|span| span.from < from || span.from >= until);
+            let before = spans.partition_point(|span| span.from < from);
+            if let Some(last) = before.checked_sub(1).and_then(|last| spans.get_mut(last)) {
+                last.until = last.until.min(from);
+            }
+            spans.insert(before, Span { doing: Doing::BusOff, from, until, fast: None });
+        }
         spans
+    }
+
+    /// When a node is bus off: from, until.
+    #[must_use]
+    pub fn bus_off(&self, node: usize) -> Vec<(Time, Time)> {
+        let states = self.states(node);
+        let ends = states.iter().skip(1).map(|(time, _)| *time).chain([self.end]);
+        let periods = states.iter().zip(ends);
+        periods.filter(|((_, state), _)| *state == ErrorState::BusOff).map(|((from, _), until)| (*from, until)).collect()
     }
 
     /// The act in which something happens.

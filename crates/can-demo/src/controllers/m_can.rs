@@ -2,9 +2,10 @@
 
 use can_hal::{
     Polls, Region,
-    m_can::{Can, Config, DataFieldSize, Interrupts, Layout, Line, Sizes},
+    m_can::{Can, Config, DataFieldSize, Interrupts, Line},
+    memory::{MCanMemory, MCanPlan},
     mode::Configuration,
-    timing::{BitTiming, Limits},
+    timing::{BitTiming, Limits, MCanTiming},
 };
 use can_sim::{
     Handle, Memory, MemoryBus, MemoryId, RegisterBus, Sim,
@@ -18,6 +19,11 @@ use crate::{Error, play};
 
 /// Words of its Message RAM: the largest there is.
 const WORDS: usize = 4352;
+
+const PLAN: MCanPlan = MCanMemory::new(WORDS as u32 * 4)
+    .rx_fifo_0(8, DataFieldSize::Bytes64)
+    .tx_buffers(0, 4, DataFieldSize::Bytes64)
+    .fixed();
 
 /// An M_CAN with a Message RAM of its own.
 #[derive(Clone, Copy, Debug)]
@@ -56,10 +62,9 @@ impl Station for MCan {
     fn configure<'a>(self, sim: &'a Sim, timing: &BitTiming) -> Result<Self::Can<'a>, Error> {
         // SAFETY: nothing else uses this memory.
         let region = unsafe { Region::new(sim.memory(self.ram), 0, WORDS as u32 * 4) };
-        let sizes = Sizes { rx_fifo_0: 8, tx_queue: 4, ..Sizes::NONE }.with_data(DataFieldSize::Bytes64);
-        let layout = Layout::packed(&sizes).map_err(Error::setup)?;
-        let mut can = Can::new(sim.registers(self.id), region, layout, Polls(MODE_POLLS)).map_err(Error::setup)?;
-        can.configure(&Config::new(*timing).with_fd()).map_err(Error::setup)?;
+        let timing = MCanTiming::of(timing).map_err(Error::setup)?;
+        let mut can = Can::new(sim.registers(self.id), region, &PLAN, Polls(MODE_POLLS)).map_err(Error::setup)?;
+        can.configure(&Config::new(timing).with_fd()).map_err(Error::setup)?;
         Ok(can)
     }
 
@@ -67,5 +72,16 @@ impl Station for MCan {
         type I = Interrupts;
         can.enable_buffer_interrupts(u32::MAX, 0);
         can.enable_interrupts(I::RF0N | I::TC | I::EW | I::EP | I::BO | I::PEA | I::PED, Line::Int0);
+    }
+
+    fn report_errors(can: &mut Running<'_, Self>, on: bool) {
+        // 2.3.14: during the recovery every sequence of 11 recessive bits is a protocol error to IR.PEA.
+        let errors = Interrupts::PEA | Interrupts::PED;
+        if on {
+            can.clear_interrupts(errors);
+            can.enable_interrupts(errors, Line::Int0);
+        } else {
+            can.disable_interrupts(errors);
+        }
     }
 }
