@@ -78,7 +78,9 @@ fn acts(story: &Story) -> Vec<Value> {
     acts.map(|(index, act)| {
         let lines: Vec<Value> =
             all.iter().filter(|moment| story.act_at(moment.time) == index).map(|moment| line(story, moment)).collect();
-        let curves = story.counts(MOTOR).iter().any(|count| count.tec > 0 && story.act_at(count.time) == index);
+        // Not worth their room where they stay near the ground.
+        let highest = |time| story.count_at(MOTOR, time).tec >= moments::WARNING;
+        let curves = highest(act.from) && highest(act.until) || highest(Time::from_ps(act.until.as_ps() - 1));
         let view = View { from: act.from, until: act.until, acts: false, curves, label: act.title };
         context! {
             number => index + 1,
@@ -209,7 +211,7 @@ fn capture(story: &Story, attempt: &Attempt) -> String {
     let mut capture = FrameCapture::new(reference, 0);
     story.recording.replay(attempt.from, &mut capture);
     let names: Vec<&str> = story.nodes.iter().map(|node| node.name).collect();
-    capture.draw(&Picture { names: &names, bare: true })
+    capture.draw(&Picture { names: &names, bare: true, bit: 15.0 })
 }
 
 fn entry(story: &Story, step: &Step) -> Value {

@@ -142,28 +142,39 @@ impl Picture<'_> {
         faults.filter(|(fault, until)| self.shows(fault.time, *until))
     }
 
+    /// How long a fault waits for its bits, and the bits that it has hit.
     fn fault_row(&self, out: &mut String, top: f64) -> std::fmt::Result {
         for (index, (fault, until)) in self.faults().enumerate() {
             if index == 0 {
                 writeln!(out, "<text class=\"row\" x=\"8\" y=\"{:.1}\">fault</text>", top + 13.0)?;
             }
-            let (from, to) = (self.x(fault.time), self.x(until));
-            let whose = if fault.frames == 1 { "of one frame" } else { "of every frame" };
+            let hits = self.story.hits(fault);
+            let lasts = fault.frames > 1;
+            let (from, to) = match hits.first() {
+                Some(hit) if !lasts => (self.x(hit.start), self.x(hit.start + (hit.sample.since(hit.start)))),
+                _ => (self.x(fault.time), self.x(until)),
+            };
+            let whose = if lasts { "of every frame" } else { "of one frame" };
             let name = self.story.nodes[fault.node].name;
             let text = format!("{} {whose} of {name} inverted", place(fault.position));
-            let fits = text.len() as f64 * 6.0 < to - from;
-            let shown = if fits { text.as_str() } else { "" };
+            let room = if lasts { to - from } else { WIDTH };
+            let alone = lasts || self.view.until.since(self.view.from) < Time::from_ms(2);
+            let shown = if alone && text.len() as f64 * 6.0 < room { text.as_str() } else { "" };
             writeln!(
                 out,
                 "<g><title>{text}: {} to {}</title><rect class=\"fault-on\" x=\"{from:.1}\" y=\"{:.1}\" \
-                 width=\"{:.1}\" height=\"15\" rx=\"3\"/><text class=\"fault-name\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text></g>",
+                 width=\"{:.1}\" height=\"15\" rx=\"3\"/>",
                 milliseconds(fault.time),
                 milliseconds(until),
                 top + 2.0,
                 (to - from).max(2.0),
-                from + 6.0,
-                top + 13.0
             )?;
+            for hit in hits.iter().filter(|hit| self.shows(hit.start, hit.sample)) {
+                let x = self.x(hit.start);
+                write!(out, "<path class=\"hit\" d=\"M{:.1} {:.1}h5l-2.5 5z\"/>", x - 2.5, top + 15.0)?;
+            }
+            let at = if lasts { from + 6.0 } else { to + 6.0 };
+            writeln!(out, "<text class=\"fault-name\" x=\"{at:.1}\" y=\"{:.1}\">{shown}</text></g>", top + 12.5)?;
         }
         Ok(())
     }
@@ -207,7 +218,7 @@ impl Picture<'_> {
         for span in self.story.spans(node).iter().filter(|span| self.shows(span.from, span.until)) {
             self.span(out, node, span, top + 2.0)?;
         }
-        Ok(())
+        self.losses(out, node, top + 2.0)
     }
 
     fn span(&self, out: &mut String, node: usize, span: &Span, top: f64) -> std::fmt::Result {
@@ -246,10 +257,28 @@ impl Picture<'_> {
             let (x, y) = ((x0 + x1) / 2.0, top + 16.5);
             write!(out, "<text class=\"id\" x=\"{x:.1}\" y=\"{y:.1}\">{text}</text>")?;
         }
-        writeln!(out, "</g>")?;
-        if let (Doing::Sends, Some(Attempt { fate: Fate::Lost(_), .. })) = (span.doing, attempt) {
-            let y = top + BOX / 2.0;
-            writeln!(out, "<path class=\"lost\" d=\"M{x1:.1} {:.1}l7 6 -7 6z\"/>", y - 6.0)?;
+        writeln!(out, "</g>")
+    }
+
+    /// Where a node has lost arbitration.
+    fn losses(&self, out: &mut String, node: usize, top: f64) -> std::fmt::Result {
+        let close = self.view.until.since(self.view.from) < Time::from_ms(2);
+        for attempt in self.attempts.iter().filter(|attempt| attempt.node == node) {
+            let Fate::Lost(position) = attempt.fate else { continue };
+            if !self.shows(attempt.until, attempt.until + Time::from_ps(1)) {
+                continue;
+            }
+            let (x, y) = (self.x(attempt.until), top + BOX / 2.0);
+            let (says, id) = (place(position), attempt.id);
+            let shown = if close { format!("{id:03X} loses") } else { String::new() };
+            writeln!(
+                out,
+                "<g><title>{id:03X} loses arbitration at {says}</title><path class=\"lost\" d=\"M{x:.1} {:.1}l7 6 -7 6z\"/>\
+                 <text class=\"lost-name\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text></g>",
+                y - 6.0,
+                x + 11.0,
+                y + 4.0
+            )?;
         }
         Ok(())
     }
@@ -343,7 +372,7 @@ impl Picture<'_> {
                  <text class=\"state-name\" x=\"{:.1}\" y=\"{:.1}\">{shown}</text>",
                 x1 - x0,
                 x0 + 6.0,
-                bottom - 6.0
+                top + 28.0
             )?;
         }
         writeln!(out, "<path class=\"idle\" d=\"M{LEFT} {bottom}H{:.0}\"/>", WIDTH - RIGHT)?;

@@ -7,6 +7,9 @@ use can_frame::Frame;
 use can_sim::AccessRecord;
 use can_wire::{BitRecord, BusError, ErrorState, Event, EventKind, Field, NodeId, Position, Role, Time, output::Recording};
 
+/// Bits of a base identifier.
+const BASE_ID_BITS: u32 = 11;
+
 /// A node of the bus.
 #[derive(Clone, Debug)]
 pub struct Node {
@@ -100,7 +103,7 @@ pub struct Attempt {
     pub from: Time,
     /// When its fate was known.
     pub until: Time,
-    /// The identifier bits that it drove, first to last.
+    /// The identifier that it drove; where it has lost arbitration, that of its next attempt.
     pub id: u32,
     /// What came of it.
     pub fate: Fate,
@@ -258,6 +261,16 @@ impl Story {
             }
         }
         attempts.sort_by_key(|attempt| attempt.from);
+        for index in 0..attempts.len() {
+            let Fate::Lost(position) = attempts[index].fate else { continue };
+            let (node, seen) = (attempts[index].node, attempts[index].id);
+            // Where it lost only the first bits were sent; the rest is in its next attempt, if that begins alike.
+            let next = attempts[index + 1..].iter().find(|attempt| attempt.node == node).map(|attempt| attempt.id);
+            let rest = BASE_ID_BITS.saturating_sub(u32::from(position.bit) + 1);
+            if let Some(id) = next.filter(|id| position.field == Field::BaseId && id >> rest == seen) {
+                attempts[index].id = id;
+            }
+        }
         attempts
     }
 
@@ -337,6 +350,13 @@ impl Story {
         let ends = states.iter().skip(1).map(|(time, _)| *time).chain([self.end]);
         let periods = states.iter().zip(ends);
         periods.filter(|((_, state), _)| *state == ErrorState::BusOff).map(|((from, _), until)| (*from, until)).collect()
+    }
+
+    /// The bits that a fault has hit, from its injection to its end.
+    #[must_use]
+    pub fn hits(&self, fault: &Injected) -> Vec<&BitRecord> {
+        let until = fault.until.unwrap_or(self.end);
+        self.bits(fault.node).filter(|bit| bit.faulty && bit.start >= fault.time && bit.start < until).collect()
     }
 
     /// The act in which something happens.

@@ -28,13 +28,22 @@ const STYLE: &str = "text{font:12px sans-serif;fill:#1b1f24}.small{font-size:10p
 .sample{stroke:#8c959f;stroke-width:.7}.page{fill:#fff}";
 
 /// How a frame is drawn.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Picture<'a> {
     /// Names of the nodes, by their numbers; those without have their number.
     pub names: &'a [&'a str],
     /// For a page that has a style of its own: neither background, title, style nor explanation. The page gives the classes
     /// `field`, `fast`, `bad`, `wave`, `tx`, `rx`, `sample`, `stuff`, `fault` and `small` inside `svg.frame` their looks.
     pub bare: bool,
+    /// Width of the shortest bit in pixels.
+    pub bit: f64,
+}
+
+impl Default for Picture<'_> {
+    /// Nodes by their numbers, a picture that stands alone, 9 pixels for the shortest bit.
+    fn default() -> Self {
+        Picture { names: &[], bare: false, bit: BIT }
+    }
 }
 
 impl FrameCapture {
@@ -56,7 +65,7 @@ impl FrameCapture {
         let shortest = reference.windows(2).map(|pair| pair[1].start.since(pair[0].start).as_ps()).min();
         let shortest = shortest.unwrap_or(1).max(1);
         let end = last.sample + last.sample.since(last.start);
-        let scale = Scale { origin: first.start, per_ps: BIT / shortest as f64 };
+        let scale = Scale { origin: first.start, per_ps: picture.bit / shortest as f64 };
         let (narrowest, below) = if picture.bare { (0.0, 0.0) } else { (NARROWEST, 26.0) };
         let width = (scale.x(end) + RIGHT).max(narrowest);
         let height = HEADER + nodes.len() as f64 * (2.0 * ROW + NODE_GAP) + below;
