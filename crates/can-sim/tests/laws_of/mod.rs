@@ -144,7 +144,10 @@ pub fn reset_values<S: Subject>() -> u32 {
         }
         count += 1;
     }
-    assert_eq!(sim.diagnostics(), []);
+    // Values that mean nothing after a reset may be looked at all the same.
+    let unreliable = |kind: &DiagnosticKind| matches!(kind, DiagnosticKind::ReadUnreliable { .. });
+    let others: Vec<_> = sim.diagnostics().into_iter().filter(|diagnostic| !unreliable(&diagnostic.kind)).collect();
+    assert_eq!(others, []);
     count
 }
 
