@@ -162,7 +162,9 @@ impl MCanModel {
             // The core has begun with it: its start of frame follows in the next bit.
             self.tx.sending = self.tx.placed.take();
         }
-        let allowed = sends(self.modes.mode) && self.tx.pause.is_none() && !self.regs.is_set(self.f.bo);
+        // The failure that makes the node bus off is told before PSR.BO follows.
+        let bus_off = cx.wire.error_state(cx.node) == can_wire::ErrorState::BusOff;
+        let allowed = sends(self.modes.mode) && self.tx.pause.is_none() && !bus_off;
         let buffer = buffer.filter(|_| allowed);
         if self.tx.sending.is_some() {
             return;
