@@ -4,6 +4,7 @@
 mod bench;
 mod choices;
 mod exchange;
+mod fuzz;
 mod known_bugs;
 mod laws;
 #[path = "../laws_of/mod.rs"]
