@@ -5,6 +5,7 @@ mod bench;
 mod choices;
 mod exchange;
 mod fuzz;
+mod interrupts;
 mod known_bugs;
 mod laws;
 #[path = "../laws_of/mod.rs"]
