@@ -12,6 +12,8 @@ mod laws;
 mod laws_of;
 mod modes;
 mod rx;
+mod rx_limits;
 mod silicon;
 mod status;
 mod tx;
+mod tx_limits;
