@@ -3,7 +3,9 @@
 
 mod bench;
 mod choices;
+mod counters;
 mod exchange;
+mod fd;
 mod fuzz;
 mod interrupts;
 mod known_bugs;
