@@ -297,7 +297,8 @@ impl Hostile {
         assert!(!self.sim.describe(self.victim.id).is_empty());
         let memory = self.sim.with_memory(self.victim.ram, |memory| memory.clone());
         let registers = self.sim.inspect(self.victim.id, |model| {
-            let _held = (model.rx_fifo(&memory, 0), model.rx_fifo(&memory, 1), model.tx_events(&memory), model.layout());
+            let _held =
+                (model.rx_fifo(&memory, 0), model.rx_fifo(&memory, 1), model.tx_events(&memory), model.layout());
             model.registers().slots().map(|slot| model.registers().get(slot)).collect()
         });
         Seen {

@@ -251,7 +251,8 @@ fn section_2_4_5_sync_messages() {
         };
         let cccr = if utsu { pac::Cccr::UTSU } else { pac::Cccr::ZERO };
         let setup = Setup { cccr, sidfc: 1 << 16, xidfc: 1 << 16 | 0x20, rxf0c: 1 << 16 | 0x40, ..SETUP };
-        let filters = [(0x00, standard(1, 1, 0x100, 0x100) | 1 << 15), (0x20, 1 << 29 | 0x200), (0x24, 3 << 29 | 0x200)];
+        let filters =
+            [(0x00, standard(1, 1, 0x100, 0x100) | 1 << 15), (0x20, 1 << 29 | 0x200), (0x24, 3 << 29 | 0x200)];
         let b = bench_of(add, &setup, &filters, |_| {});
         for text in ["100#", "00000200#", "100#", "101#"] {
             b.hear(text);
