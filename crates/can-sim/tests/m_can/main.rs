@@ -7,6 +7,7 @@ mod counters;
 mod exchange;
 mod fd;
 mod fuzz;
+mod interruption;
 mod interrupts;
 mod known_bugs;
 mod laws;
