@@ -8,6 +8,7 @@ mod details;
 mod exchange;
 mod fd;
 mod fuzz;
+mod interruption;
 mod interrupts;
 mod known_bugs;
 mod laws;
