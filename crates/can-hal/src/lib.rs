@@ -20,6 +20,7 @@ struct Readme;
 mod report;
 mod controller;
 mod deadline;
+pub mod dspic33_canfd;
 mod error;
 mod events;
 mod fields;

@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod bench;
+mod dspic33_canfd;
 mod errors;
 mod filters;
 mod interrupts;
@@ -58,6 +59,7 @@ macro_rules! conformance {
 
 mod on {
     conformance! {
+        dspic33_canfd = crate::dspic33_canfd::CanFd;
         m_can = crate::m_can::MCan;
     }
 }

@@ -32,6 +32,7 @@ pub fn sleep_waits_and_wake_resumes<B: Bench>() {
     let mut can = start(bench, &sim, &Setup::CLASSIC);
     let ticket = can.send(&frame("123#01")).unwrap();
     let asleep = can.sleep(Polls(100_000)).unwrap_or_else(|_| panic!("it does not sleep"));
+    bench.device_sleeps(&sim);
     assert_eq!(sim.peer_received(other).len(), 1, "what was pending is sent first");
     sim.peer_send(sender, frame("200#02"));
     sim.run_for(FRAME);
