@@ -73,7 +73,6 @@ pub(super) struct Layout {
     pub(super) tefcon_l: TefconL,
     pub(super) tefcon_h: TefconH,
     pub(super) txqcon_h: TxqconH,
-    pub(super) events: Section,
     /// Index 0 is the queue.
     pub(super) objects: [Section; 32],
     /// TXEN and RXTSEN, FSIZE and PLSIZE of each FIFO; reset values for those that are not set up. Index 0 is not used.
@@ -96,12 +95,13 @@ impl Layout {
             tefcon_l: plan.tefconl,
             tefcon_h: plan.tefconh,
             txqcon_h: plan.txqconh,
-            events: section(plan.tef, TefObject::<Mmio>::HEADER_BYTES)?,
             objects: [Section::default(); 32],
             fifos: [(FifoConL::RESET, FifoConH::RESET); 32],
             receive: 0,
             transmit: u32::from(plan.txqen),
         };
+        // The event FIFO is read at its user address; here it only has to lie in the region.
+        section(plan.tef, TefObject::<Mmio>::HEADER_BYTES)?;
         layout.objects[0] = section(plan.txq, TxObject::<Mmio>::HEADER_BYTES)?;
         for (number, fifo) in plan.fifos() {
             let bit = 1 << (number % 32);

@@ -135,7 +135,7 @@ impl<R: Bus, M: Bus> Can<Running, R, M> {
     /// [`TimedOut`] if that does not happen within the bound; the module goes on then.
     pub fn power_down(self, mut deadline: impl Deadline) -> Changed<Can<Asleep, R, M>, Self> {
         let (inner, back) = (&self.inner, self.inner.mode());
-        let done = wait(&mut deadline, || inner.regs.read_txreq() & !inner.replies == 0);
+        let done = wait(&mut deadline, || inner.pending() & !inner.replies == 0);
         match done.and_then(|()| inner.enter(OperationMode::Disable, back, &mut deadline)) {
             Ok(()) => {
                 inner.regs.int_h().modify(|enables| enables.with_wakie(true));

@@ -127,6 +127,12 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         address.wrapping_sub(self.base) as usize
     }
 
+    /// 6.6: the FIFOs with a request. The upper register is read only where the plan has such FIFOs.
+    pub(super) fn pending(&self) -> u32 {
+        let low = u32::from(self.regs.txreq_l().read().bits());
+        if self.layout.transmit >> 16 == 0 { low } else { low | u32::from(self.regs.txreq_h().read().bits()) << 16 }
+    }
+
     /// Whether the configuration and the objects can carry a frame.
     #[inline]
     pub(super) fn carries(&self, number: u8, frame: &Frame) -> Result<(), SendError> {
@@ -355,7 +361,7 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
     /// FIFOs with a request, bit 0 for the queue (6.6).
     #[must_use]
     pub fn pending_fifos(&self) -> u32 {
-        self.inner.regs.read_txreq()
+        self.inner.pending()
     }
 
     /// Aborts everything that is not on the bus (6.10): sets ABAT, waits until no request is left, and clears ABAT, which
@@ -373,7 +379,7 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
         let mode = inner.regs.con_h().read().reqop();
         let control = inner.con_h.with_reqop(mode);
         inner.regs.con_h().write(control.with_abat(true));
-        wait(&mut deadline, || inner.regs.read_txreq() == 0)?;
+        wait(&mut deadline, || inner.pending() == 0)?;
         inner.regs.con_h().write(control);
         wait(&mut deadline, || !inner.regs.con_h().read().abat())?;
         for number in numbers(inner.layout.transmit & !inner.replies) {

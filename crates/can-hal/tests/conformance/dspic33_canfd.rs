@@ -26,14 +26,14 @@ const TIMING: DsPic33CanFdTiming =
 const PAYLOAD: PayloadSize = PayloadSize::Bytes64;
 const DEPTH: u32 = CanFd::TX_DEPTH as u32;
 
-/// FIFO 1 receives, FIFO 2 answers remote frames.
+/// FIFO 1 receives, FIFO 3 answers remote frames.
 const COMMON: DsPic33CanFdMemory = DsPic33CanFdMemory::new(BASE, BYTES)
     .fifo(1, DsPic33CanFdFifo::Receive { elements: CanFd::RX_DEPTH as u32, payload: PAYLOAD, timestamps: true })
-    .fifo(2, DsPic33CanFdFifo::Transmit { elements: 1, payload: PAYLOAD });
+    .fifo(3, DsPic33CanFdFifo::Transmit { elements: 1, payload: PAYLOAD });
 
-/// FIFO 3 transmits, or the queue does.
+/// FIFO 2 transmits, or the queue does.
 const IN_ORDER: DsPic33CanFdPlan =
-    COMMON.fifo(3, DsPic33CanFdFifo::Transmit { elements: DEPTH, payload: PAYLOAD }).fixed();
+    COMMON.fifo(2, DsPic33CanFdFifo::Transmit { elements: DEPTH, payload: PAYLOAD }).fixed();
 const BY_ID: DsPic33CanFdPlan = COMMON.txq(DEPTH, PAYLOAD).fixed();
 
 #[derive(Clone, Copy)]
@@ -95,8 +95,8 @@ impl Bench for CanFd {
             Id::Standard(id) => Filter::standard(id, fifo),
             Id::Extended(id) => Filter::extended(id, fifo),
         };
-        let replies: Vec<Reply> = setup.reply.into_iter().map(|frame| Reply { fifo: 2, frame }).collect();
-        let mut filters: Vec<Filter> = setup.reply.into_iter().map(|frame| single(frame.id(), 2)).collect();
+        let replies: Vec<Reply> = setup.reply.into_iter().map(|frame| Reply { fifo: 3, frame }).collect();
+        let mut filters: Vec<Filter> = setup.reply.into_iter().map(|frame| single(frame.id(), 3)).collect();
         filters.extend(setup.accept.iter().map(|id| single(*id, 1)));
         if setup.accept.is_empty() {
             filters.push(Filter::any(1));
