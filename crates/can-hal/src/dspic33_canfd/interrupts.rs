@@ -34,7 +34,10 @@ impl core::ops::BitOr for Interrupts {
     type Output = Self;
 
     fn bitor(self, other: Self) -> Self {
-        Self { flags: self.flags | other.flags, states: pac::TrecH::from_bits(self.states.bits() | other.states.bits()) }
+        Self {
+            flags: self.flags | other.flags,
+            states: pac::TrecH::from_bits(self.states.bits() | other.states.bits()),
+        }
     }
 }
 
@@ -117,12 +120,7 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
     #[must_use]
     pub fn interrupt_codes(&self) -> Codes {
         let (low, high) = (self.inner.regs.vec_l().read(), self.inner.regs.vec_h().read());
-        Codes {
-            interrupt: low.icode(),
-            filter: low.filhit().bits(),
-            receive: high.rxcode(),
-            transmit: high.txcode(),
-        }
+        Codes { interrupt: low.icode(), filter: low.filhit().bits(), receive: high.rxcode(), transmit: high.txcode() }
     }
 }
 

@@ -20,8 +20,9 @@ const BASE: u32 = 0x1000;
 const BYTES: u32 = 0x1000;
 
 /// The sample points of `NodeConfig::new`.
-const TIMING: DsPic33CanFdTiming =
-    DsPic33CanFdTiming::fixed(&Request::new(40_000_000, 1_000_000).sample_point(SamplePoint::percent(80)).data(5_000_000));
+const TIMING: DsPic33CanFdTiming = DsPic33CanFdTiming::fixed(
+    &Request::new(40_000_000, 1_000_000).sample_point(SamplePoint::percent(80)).data(5_000_000),
+);
 
 const PAYLOAD: PayloadSize = PayloadSize::Bytes64;
 const DEPTH: u32 = CanFd::TX_DEPTH as u32;

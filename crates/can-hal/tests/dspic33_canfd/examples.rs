@@ -7,7 +7,9 @@ use can_hal::{
         Timestamping, TxOptions,
     },
     memory::DsPic33CanFdPlan,
-    timing::{BitTiming, Compensation, DataPhase, DelayCompensation, DsPic33CanFdTiming, Request, SamplePoint, Segments},
+    timing::{
+        BitTiming, Compensation, DataPhase, DelayCompensation, DsPic33CanFdTiming, Request, SamplePoint, Segments,
+    },
 };
 
 use crate::bench::{BASE, Bench, CONFIG, FRAME, MEMORY, MODE, PLAN, TIMING, frame, rx, tx};
@@ -51,8 +53,7 @@ fn example_peer(bench: &Bench) -> can_sim::PeerId {
 /// that the example leaves as RAM holds them are written; C1DBTCFGH is 0x000E.
 #[test]
 fn example_6_1_message_transmission() {
-    const PLAN: DsPic33CanFdPlan =
-        MEMORY.txq(1, PayloadSize::Bytes64).fifo(1, tx(2, PayloadSize::Bytes16)).fixed();
+    const PLAN: DsPic33CanFdPlan = MEMORY.txq(1, PayloadSize::Bytes64).fifo(1, tx(2, PayloadSize::Bytes16)).fixed();
     let bench = Bench::new();
     bench.sim.with_memory(bench.ram, |memory| memory.words_mut().fill(0xFFFF_FFFF));
     let peer = example_peer(&bench);
@@ -155,7 +156,8 @@ fn example_9_1_message_reception() {
 /// Tables 5-3 to 5-5: 500 kbit/s and 2 Mbit/s at 80 MHz with sample points at 80 %.
 #[test]
 fn tables_5_3_to_5_5_bit_timing() {
-    let segments = |before, after| Segments { prescaler: 1, propagation: 0, phase1: before, phase2: after, jump_width: after };
+    let segments =
+        |before, after| Segments { prescaler: 1, propagation: 0, phase1: before, phase2: after, jump_width: after };
     let compensation = Some(DelayCompensation { offset: 31, filter: 0 });
     let timing = BitTiming {
         nominal: segments(127, 32),
@@ -248,7 +250,8 @@ fn the_configuration_in_registers() {
     config.priorities = &[(0, 7), (3, 31), (5, 1)];
     config.bandwidth_sharing = can_hal::dspic33_canfd::BandwidthSharing::BitTimes256;
     (config.gateway_esi, config.listen_after_system_error, config.no_protocol_exception) = (true, true, true);
-    (config.edge_filtering, config.twelve_bit_ids, config.stop_in_idle, config.auxiliary_clock) = (true, true, true, true);
+    (config.edge_filtering, config.twelve_bit_ids, config.stop_in_idle, config.auxiliary_clock) =
+        (true, true, true, true);
     config.data_filter_bits = 18;
     config.wake_up_filter = Some(can_hal::dspic33_canfd::WakeUpFilter::T01Filter);
     config.timestamps = Timestamping::Counter { clocks: 1024, reference: Reference::AfterFdf };
