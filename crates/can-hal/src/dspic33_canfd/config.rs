@@ -361,8 +361,9 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         if self.layout.txqen {
             self.regs.txqcon_l().write(pac::TxqconL::TXATIE);
         }
-        for number in numbers((self.layout.receive | self.layout.transmit) & !1) {
-            let (_, high) = self.layout.fifos[usize::from(number)];
+        // Equation 5-24: FIFOs that are not set up take room too, of the size that a reset gives them.
+        for number in numbers(!1) {
+            let high = self.layout.objects[usize::from(number)].size();
             let fifo = self.regs.fifo(usize::from(number));
             fifo.con_l().write(self.fifo_control(number));
             fifo.con_h().write(high.with_txat(attempts).with_txpri(priority(number)?));

@@ -87,15 +87,16 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     /// FIFOCONnL without requests: direction, automatic reply, timestamps, enables.
     #[inline]
     pub(super) fn fifo_control(&self, number: u8) -> pac::FifoConL {
-        let (planned, _) = self.layout.fifos[usize::from(number) % 32];
-        let base = planned.with_freset(false);
-        match planned.txen() {
-            FifoConLTxen::Receive => base.with_tfnrfnie(true).with_rxovie(true),
-            FifoConLTxen::Transmit => {
-                let replies = transmits(self.replies, number);
-                base.with_txatie(true).with_rtren(replies).with_rxovie(replies)
-            }
+        if transmits(self.layout.transmit, number) {
+            let replies = transmits(self.replies, number);
+            let base = pac::FifoConL::ZERO.with_txen(FifoConLTxen::Transmit);
+            return base.with_txatie(true).with_rtren(replies).with_rxovie(replies);
         }
+        if !transmits(self.layout.receive, number) {
+            return pac::FifoConL::ZERO;
+        }
+        let stamped = self.layout.objects[usize::from(number) % 32].stamped();
+        pac::FifoConL::ZERO.with_rxtsen(stamped).with_tfnrfnie(true).with_rxovie(true)
     }
 
     pub(super) fn interrupts(&self) -> Interrupts {

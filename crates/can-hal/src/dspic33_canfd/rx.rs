@@ -51,8 +51,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let section = self.layout.objects[usize::from(number)];
         let object = RxObject::new(self.ram, at);
         let (r0, r1, r2) = (object.r0().read(), object.r1().read(), object.r2().read());
-        let stamped = section.header() == RxObjectTs::<M>::HEADER_BYTES;
-        let timestamp = stamped.then(|| RxObjectTs::new(self.ram, at).read_rxmsgts());
+        let timestamp = section.stamped().then(|| RxObjectTs::new(self.ram, at).read_rxmsgts());
         let payload = Payload::<u16, M>::new(self.ram, at + section.header(), section.data());
         let frame = Frame::read_with(decode_id(r0, r1, r2.ide()), decode_format(r2), decode_dlc(r2), |data| {
             payload.read(data);

@@ -34,7 +34,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let seen = self.regs.bdiag1_h().read();
         if !seen.is_empty() {
             self.regs.bdiag1_h().write(pac::Bdiag1H::ZERO);
-            self.diagnosis = self.diagnosis | seen;
+            self.diagnosis |= seen;
         }
         seen
     }

@@ -83,15 +83,15 @@ pub(super) struct Track {
     head: u8,
     cancelling: bool,
     /// Ends of the last 32 frames, two bits each.
-    ends: u64,
+    ends: [u8; 8],
 }
 
 impl Track {
     /// The oldest waiting frames have ended.
     fn end(&mut self, count: u8, how: End) {
         for _ in 0..count.min(self.waiting) {
-            let place = self.next.wrapping_sub(self.waiting) % 32 * 2;
-            self.ends = self.ends & !(3 << place) | (how as u64) << place;
+            let (byte, shift) = place(self.next.wrapping_sub(self.waiting));
+            self.ends[byte] = self.ends[byte] & !(3 << shift) | (how as u8) << shift;
             self.waiting -= 1;
         }
     }
@@ -101,13 +101,19 @@ impl Track {
         if age <= self.waiting {
             return Outcome::Pending;
         }
-        match self.ends >> (number % 32 * 2) & 3 {
+        let (byte, shift) = place(number);
+        match self.ends[byte] >> shift & 3 {
             0 => Outcome::Sent,
             1 => Outcome::SentAnyway,
             2 => Outcome::Cancelled,
             _ => Outcome::Failed,
         }
     }
+}
+
+/// Byte and bit at which the end of a frame stands.
+const fn place(number: u8) -> (usize, u8) {
+    (number as usize / 4 % 8, number % 4 * 2)
 }
 
 /// The state of a FIFO or the queue, from one read of its registers.
@@ -294,7 +300,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         }
         let depth = self.layout.objects[usize::from(number) % 32].count.max(1);
         let index = self.head(number);
-        if number == 0 || (index + 1) % depth == 0 {
+        if number == 0 || (index + 1).is_multiple_of(depth) {
             // From now on a reset by bus off is told by TXBOERR alone; one from before must not be taken for it.
             self.diagnose();
         }

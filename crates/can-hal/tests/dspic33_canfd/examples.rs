@@ -199,6 +199,20 @@ fn table_10_1_memory_layout() {
     bench.finish();
 }
 
+/// Equation 5-24: a second plan leaves nothing of the first, also not in the FIFOs that it does not set up.
+#[test]
+fn a_second_plan() {
+    let bench = Bench::new();
+    drop(bench.running(&CONFIG));
+    let plan = MEMORY.fifo(6, rx(2, PayloadSize::Bytes8, false)).plan().unwrap();
+    let can = bench.configured(&plan, &CONFIG.with_filters(&[Filter::any(6)])).start_normal(MODE).unwrap();
+    let regs = can.registers();
+    assert_eq!(u64::from(regs.fifo(6).read_ua()), plan.fifo(6).unwrap().placed.start.into());
+    assert_eq!(plan.fifo(6).unwrap().placed.start, BASE + 5 * 16);
+    assert_eq!(regs.fifo(3).con_l().read().bits(), 0);
+    bench.finish();
+}
+
 /// What is wrong is said before the module is started.
 #[test]
 fn what_cannot_be_configured() {
