@@ -27,6 +27,7 @@ mod fields;
 pub mod m_can;
 pub mod memory;
 pub mod mode;
+pub mod pic32_can;
 mod recovery;
 mod region;
 mod status;

@@ -189,6 +189,43 @@ pub enum DiagnosticKind {
         /// The put index.
         put: u32,
     },
+    /// A FIFO or queue was told to move on although it had no element to move over: full, or empty.
+    IncrementIgnored {
+        /// The register written.
+        register: String,
+        /// The fill level.
+        fill: u32,
+        /// The number of elements.
+        depth: u32,
+    },
+    /// A write meant for something else took a pending request back, because it carried 0 for the request.
+    RequestDropped {
+        /// The register written.
+        register: String,
+        /// The value written.
+        value: u32,
+    },
+    /// A FIFO or queue was reset while it was in use.
+    ResetInUse {
+        /// The register written.
+        register: String,
+        /// What uses it.
+        because: &'static str,
+    },
+    /// A register was read while its value means nothing.
+    ReadUnreliable {
+        /// The register.
+        register: String,
+        /// Why it means nothing.
+        because: &'static str,
+    },
+    /// A mode was requested that cannot be reached from the present one; the request is ignored.
+    IllegalModeChange {
+        /// The mode the controller is in.
+        from: String,
+        /// The mode requested.
+        to: String,
+    },
     /// A request that the controller ignores.
     RequestIgnored {
         /// The register written.
@@ -225,6 +262,57 @@ pub enum DiagnosticKind {
         register: String,
         /// The flags.
         fields: Vec<&'static str>,
+    },
+    /// A register that this device does not have.
+    NotImplemented {
+        /// The register.
+        register: String,
+        /// True for a write.
+        write: bool,
+    },
+    /// A write that the controller ignores.
+    WriteIgnored {
+        /// The register.
+        register: String,
+        /// The field.
+        field: &'static str,
+        /// Why it is ignored.
+        because: &'static str,
+    },
+    /// A read whose value means nothing.
+    InvalidRead {
+        /// The register.
+        register: String,
+        /// Why.
+        because: &'static str,
+    },
+    /// The software's side of a FIFO was advanced although there is nothing to advance over.
+    FifoLimit {
+        /// The FIFO.
+        fifo: u32,
+        /// True for a full transmit FIFO, false for an empty receive FIFO.
+        full: bool,
+    },
+    /// An address that is not physical was given to a controller that needs a physical one.
+    AddressNotPhysical {
+        /// The register.
+        register: &'static str,
+        /// The address.
+        address: u32,
+    },
+    /// A message was put into a transmit FIFO, but nothing was ever written to its buffer.
+    BufferNotWritten {
+        /// The FIFO.
+        fifo: u32,
+        /// Address of the buffer.
+        address: u32,
+    },
+    /// Software has written to a received message that it has not taken from its FIFO yet.
+    ReceivedMessageModified {
+        /// The FIFO.
+        fifo: u32,
+        /// Address of the word.
+        address: u32,
     },
     /// An interrupt handler was entered again and again because the line stayed active.
     InterruptStorm {
@@ -284,6 +372,15 @@ impl fmt::Display for DiagnosticKind {
             Self::NotHandedOut { register, buffer, put } => {
                 write!(f, "{register}: buffer {buffer} requested, but the put index is {put}")
             }
+            Self::IncrementIgnored { register, fill, depth } => {
+                write!(f, "{register}: nothing to move over, {fill} of {depth} elements are in use")
+            }
+            Self::RequestDropped { register, value } => {
+                write!(f, "write of {value:#x} to {register} takes the pending request back")
+            }
+            Self::ResetInUse { register, because } => write!(f, "{register}: reset in use: {because}"),
+            Self::ReadUnreliable { register, because } => write!(f, "{register} means nothing: {because}"),
+            Self::IllegalModeChange { from, to } => write!(f, "mode {to} cannot be reached from {from}"),
             Self::RequestIgnored { register, buffer, because } => {
                 write!(f, "{register}: the request for buffer {buffer} is ignored: {because}")
             }
@@ -296,6 +393,24 @@ impl fmt::Display for DiagnosticKind {
             }
             Self::InterruptUnheard { register, fields } => {
                 write!(f, "{register}: {} enabled, but routed to a disabled line", fields.join(", "))
+            }
+            Self::NotImplemented { register, write } => {
+                write!(f, "{} {register}, which this device does not have", verb(write))
+            }
+            Self::WriteIgnored { register, field, because } => {
+                write!(f, "write to {register}.{field} ignored: {because}")
+            }
+            Self::InvalidRead { register, because } => write!(f, "read of {register}: {because}"),
+            Self::FifoLimit { fifo, full: true } => write!(f, "transmit FIFO {fifo} was advanced although it is full"),
+            Self::FifoLimit { fifo, full: false } => write!(f, "receive FIFO {fifo} was advanced although it is empty"),
+            Self::AddressNotPhysical { register, address } => {
+                write!(f, "{register} holds {address:#x}, which is no physical address")
+            }
+            Self::BufferNotWritten { fifo, address } => {
+                write!(f, "the buffer at {address:#x} goes into FIFO {fifo}, but no message was ever written to it")
+            }
+            Self::ReceivedMessageModified { fifo, address } => {
+                write!(f, "byte {address:#x} of a message waiting in receive FIFO {fifo} was written")
             }
             Self::InterruptStorm { line, entries } => {
                 write!(f, "the handler of line {line} ran {entries} times and the line is still active")

@@ -11,6 +11,7 @@ mod filters;
 mod interrupts;
 mod m_can;
 mod modes;
+mod pic32_can;
 mod receive;
 mod timestamps;
 mod transmit;
@@ -61,5 +62,6 @@ mod on {
     conformance! {
         m_can = crate::m_can::MCan;
         dspic33_ecan = crate::dspic33_ecan::Ecan;
+        pic32_can = crate::pic32_can::Pic32;
     }
 }

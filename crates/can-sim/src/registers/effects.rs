@@ -1,6 +1,6 @@
 //! What states of the registers do to other registers.
 
-use regbus::meta::{Effect, FieldRef, Index};
+use regbus::meta::{Effect, Expr, FieldRef, Index};
 
 use super::{FieldAt, RegisterFile, Slot, conditions};
 
@@ -31,7 +31,7 @@ impl Effects {
         let mut effects = Self { touched: vec![Vec::new(); file.values.len()], ..Self::default() };
         for effect in file.meta.effects {
             let expr = &file.meta.conditions[effect.on as usize].expr;
-            for own in numbers(file, conditions::own_field(expr)) {
+            for own in numbers(file, conditions::own_field(expr).or_else(|| clustered(file, expr))) {
                 effects.add(file, effect, own);
             }
         }
@@ -46,10 +46,10 @@ impl Effects {
         conditions::fields(&file.meta.conditions[effect.on as usize].expr, &mut fields);
         slots.extend(fields.iter().filter_map(|(field, at)| file.numbered(*field, *at, own)).map(FieldAt::slot));
         if effect.holds {
-            slots.extend(effect.resets.iter().map(|register| Slot(file.first[*register as usize])));
             let targets = effect.resets_fields.iter().chain(effect.sets.iter().map(|(field, _)| field));
             let moved = effect.loads.iter().flat_map(|(target, origin)| [target, origin]);
-            slots.extend(targets.chain(moved).map(|field| Slot(file.first[field.register as usize])));
+            let registers = targets.chain(moved).map(|field| field.register).chain(effect.resets.iter().copied());
+            slots.extend(registers.flat_map(|register| file.elements(register, own)));
         }
         slots.sort_unstable();
         slots.dedup();
@@ -58,6 +58,14 @@ impl Effects {
         }
         self.instances.push(Instance { effect, own });
     }
+}
+
+/// A field of a cluster in an expression: what it says is meant of every element by itself.
+fn clustered(file: &RegisterFile, expr: &Expr) -> Option<FieldRef> {
+    let mut found = Vec::new();
+    conditions::fields(expr, &mut found);
+    let of_cluster = |field: &FieldRef| file.meta.registers[field.register as usize].cluster.is_some();
+    found.into_iter().map(|(field, _)| field).find(of_cluster)
 }
 
 /// The numbers that a field with an own number can have.
@@ -118,28 +126,53 @@ impl RegisterFile {
             return;
         }
         for register in effect.resets {
-            let first = self.first[*register as usize];
-            for element in 0..self.meta.registers[*register as usize].count() as u16 {
-                let slot = Slot(first + element);
+            for slot in self.elements(*register, own) {
                 let value = self.reset_value(slot);
                 self.set(slot, value);
             }
         }
         for field in effect.resets_fields {
-            let at = self.target(*field, own);
-            let value = self.reset_value(at.slot) >> at.lsb;
-            self.set_field(at, value);
+            for at in self.targets(*field, own) {
+                let value = self.reset_value(at.slot) >> at.lsb;
+                self.set_field(at, value);
+            }
         }
         for (target, origin) in effect.loads {
             let value = self.field(self.target(*origin, own));
             self.set_field(self.target(*target, own), value);
         }
         for (field, value) in effect.sets {
-            self.set_field(self.target(*field, own), *value);
+            for at in self.targets(*field, own) {
+                self.set_field(at, *value);
+            }
         }
     }
 
-    /// Where an effect acts: of a repeated field on the one with the number that `[n]` stands for.
+    /// Where an effect acts: on the element or lane with the number that `[n]` stands for in its condition, and in all
+    /// elements where the condition has none.
+    fn targets(&self, field: FieldRef, own: Option<u32>) -> impl Iterator<Item = FieldAt> + use<> {
+        let first = self.target(field, own);
+        let (own, info) = (own.map(|_| first), self.field_info(field));
+        let elements = self.elements(field.register, None).map(move |slot| FieldAt { slot, ..first });
+        debug_assert!(own.is_some() || info.lanes == 1, "{} has lanes and no number", info.name);
+        own.into_iter().chain(elements.filter(move |_| own.is_none()))
+    }
+
+    /// The elements of a register: the one with the number that `[n]` stands for, all of them without a number.
+    fn elements(&self, register: u16, own: Option<u32>) -> impl Iterator<Item = Slot> + use<> {
+        let info = &self.meta.registers[register as usize];
+        let first = self.first[register as usize];
+        // Where a register has lanes, the number is that of a lane.
+        let numbered = info.fields.iter().all(|field| field.lanes == 1);
+        let one = match (info.cluster.or(info.array), own) {
+            (Some(array), Some(own)) if numbered && info.count() == array.count => own.checked_sub(array.first),
+            _ => None,
+        };
+        let (from, count) = one.filter(|one| *one < info.count()).map_or((0, info.count()), |one| (one, 1));
+        (from..from + count).map(move |element| Slot(first + element as u16))
+    }
+
+    /// Of a repeated field on the one with the number that `[n]` stands for.
     fn target(&self, field: FieldRef, own: Option<u32>) -> FieldAt {
         let numbered = own.and_then(|_| self.numbered(field, Index::Own, own));
         numbered.unwrap_or_else(|| self.field_at(field))
