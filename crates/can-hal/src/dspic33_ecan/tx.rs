@@ -77,17 +77,24 @@ impl Tx {
     }
 }
 
+/// Which half of its register is a buffer's (Tables 3-2, 3-5).
+#[inline]
+const fn half(buffer: u8) -> usize {
+    (buffer & 1) as usize
+}
+
 impl<R: Bus, M: Bus> Inner<R, M> {
+    /// The control bits of a buffer's pair, and which half is the buffer's.
+    #[inline]
     fn read_control(&self, buffer: u8) -> (pac::TrCon, usize) {
-        let (register, lane) = self.regs.tr_con_of(usize::from(buffer % TX_BUFFERS));
-        (register.read(), lane)
+        (self.regs.tr_con(usize::from(buffer % TX_BUFFERS / 2)).read(), half(buffer))
     }
 
     /// Writes the control register of a buffer with or without its request. That of the other one of the pair is not
     /// pending, which the caller knows.
     fn write_request(&self, buffer: u8, request: bool) {
-        let (register, lane) = self.regs.tr_con_of(usize::from(buffer % TX_BUFFERS));
-        register.write(self.tx.control[usize::from(buffer % TX_BUFFERS / 2)].with_txreq(lane, request));
+        let pair = usize::from(buffer % TX_BUFFERS / 2);
+        self.regs.tr_con(pair).write(self.tx.control[pair].with_txreq(half(buffer), request));
     }
 
     /// The buffer of the pair, if any, whose request is pending.
@@ -95,7 +102,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let (value, lane) = self.read_control(buffer);
         if value.txreq(lane) {
             Some(buffer)
-        } else if value.txreq(1 - lane) {
+        } else if value.txreq(half(buffer ^ 1)) {
             Some(buffer ^ 1)
         } else {
             None
@@ -142,7 +149,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         // The bounds never act; they tell the compiler that the indices fit.
         let register = &mut self.tx.control[usize::from(buffer % TX_BUFFERS / 2)];
         let priority = QUEUE_LEVELS[usize::from(level) % QUEUE_LEVELS.len()];
-        *register = register.with_txpri(usize::from(buffer % 2), priority);
+        *register = register.with_txpri(half(buffer), priority);
         Ok(self.send_from(buffer, frame))
     }
 
@@ -249,7 +256,7 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
         if inner.pending_in_pair(buffer).is_some() {
             return Err(SendError::Pending { buffer });
         }
-        let (pair, lane) = (usize::from(buffer / 2), usize::from(buffer % 2));
+        let (pair, lane) = (usize::from(buffer / 2), half(buffer));
         // It does not answer while its message changes. An answer that was requested meanwhile is aborted (8.2), unless it
         // is on the bus already.
         inner.tx.control[pair] = inner.tx.control[pair].with_rtren(lane, false);

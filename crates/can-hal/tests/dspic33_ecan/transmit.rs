@@ -61,6 +61,23 @@ fn example_8_3_extended_remote_frame() {
     bench.finish();
 }
 
+/// 2.1: a message has at most eight bytes; a data length code above 8 is sent as it is (`dlc_above_8`), which the simulation
+/// reports.
+#[test]
+fn section_2_1_data_length_codes_above_8() {
+    let bench = Bench::new();
+    let other = bench.peer();
+    let mut can = bench.running(&PLAN, &CONFIG.with_queue(1));
+    for code in 9..=15 {
+        let (id, dlc) = (can_hal::StandardId::ZERO, can_hal::Dlc::new(code).unwrap());
+        let long = can_hal::Frame::data_with_dlc(id, dlc, &[code; 8]).unwrap();
+        let ticket = can.send(&long).unwrap();
+        assert_eq!(can.wait_for(ticket, DONE), Ok(Outcome::Sent));
+        assert_eq!(bench.sim.peer_received(other).last().map(|(_, frame)| *frame), Some(long));
+    }
+    assert_eq!(bench.sim.take_diagnostics().len(), 7);
+}
+
 /// 8.1: dedicated buffers go by priority, then by number: buffer 7 before buffer 0.
 #[test]
 fn section_8_1_priorities() {
