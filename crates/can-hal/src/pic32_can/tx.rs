@@ -170,12 +170,15 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         self.aborting |= 1 << number;
     }
 
-    /// FIFOs with messages that were requested and are not sent. Destroys nothing, unlike a read of TXREQ.
+    /// FIFOs with messages that were requested and are not sent: what is requested is sent until the FIFO is empty (34.7.2).
+    /// Destroys nothing, unlike a read of TXREQ.
     pub(super) fn waiting(&self) -> u32 {
-        (0..).zip(&self.fifos).fold(0, |found, (number, fifo)| {
-            let requested = fifo.kind == Kind::Transmit && self.requested >> number & 1 == 1;
-            found | u32::from(requested && self.sent(number) != fifo.queued) << number
-        })
+        let mut waiting = 0;
+        for number in (0..32).filter(|number| self.requested >> number & 1 == 1) {
+            let empty = self.regs.fifo(number).int_().read().txemptyif();
+            waiting |= u32::from(!empty) << number;
+        }
+        waiting
     }
 }
 
