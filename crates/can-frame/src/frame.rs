@@ -32,6 +32,8 @@ pub struct Frame {
     id: Id,
     format: Format,
     dlc: Dlc,
+    /// Only ever set in an FD frame.
+    rrs: bool,
     // Bytes past the length stay zero, so that comparing and hashing could read them all.
     bytes: [u8; FD_MAX_LEN],
 }
@@ -108,16 +110,19 @@ impl Frame {
     #[inline]
     #[must_use]
     pub fn read_with(id: Id, format: Format, dlc: Dlc, read: impl FnOnce(&mut [u8])) -> Frame {
-        let mut frame = Frame { id, format, dlc, bytes: [0; FD_MAX_LEN] };
+        let mut frame = Frame { id, format, dlc, rrs: false, bytes: [0; FD_MAX_LEN] };
         let len = frame.len();
-        read(&mut frame.bytes[..len]);
+        // Always there; asked for in a way that cannot panic.
+        if let Some(data) = frame.bytes.get_mut(..len) {
+            read(data);
+        }
         frame
     }
 
     fn filled(id: Id, format: Format, dlc: Dlc, data: &[u8]) -> Frame {
         let mut bytes = [0; FD_MAX_LEN];
         bytes[..data.len()].copy_from_slice(data);
-        Frame { id, format, dlc, bytes }
+        Frame { id, format, dlc, rrs: false, bytes }
     }
 
     /// The identifier, 11 or 29 bits.
@@ -142,7 +147,8 @@ impl Frame {
     #[inline]
     #[must_use]
     pub fn data_bytes(&self) -> &[u8] {
-        &self.bytes[..self.len()]
+        // Always there; asked for in a way that cannot panic.
+        self.bytes.get(..self.len()).unwrap_or(&self.bytes)
     }
 
     /// Number of data bytes: 0 to 8, or 0 to 64 for an FD frame; 0 for a remote frame.
@@ -200,6 +206,21 @@ impl Frame {
         self
     }
 
+    /// True for an FD frame whose remote request substitution bit is recessive. ISO 11898-1 sends it dominant; some
+    /// controllers use it as the least significant bit of a 12-bit identifier.
+    #[must_use]
+    pub const fn remote_request_substitution(&self) -> bool {
+        self.rrs
+    }
+
+    /// The same frame with the remote request substitution bit set or cleared; other than FD frames are returned
+    /// unchanged.
+    #[must_use]
+    pub const fn with_remote_request_substitution(mut self, rrs: bool) -> Frame {
+        self.rrs = rrs && self.is_fd();
+        self
+    }
+
     /// The identifier as a number, without the information whether it has 11 or 29 bits.
     #[must_use]
     pub fn raw_id(&self) -> u32 {
@@ -219,6 +240,7 @@ impl PartialEq for Frame {
         self.id == other.id
             && self.format == other.format
             && self.dlc == other.dlc
+            && self.rrs == other.rrs
             && self.data_bytes() == other.data_bytes()
     }
 }
@@ -230,6 +252,7 @@ impl hash::Hash for Frame {
         self.id.hash(state);
         self.format.hash(state);
         self.dlc.hash(state);
+        self.rrs.hash(state);
         self.data_bytes().hash(state);
     }
 }

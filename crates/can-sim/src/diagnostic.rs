@@ -189,6 +189,43 @@ pub enum DiagnosticKind {
         /// The put index.
         put: u32,
     },
+    /// A FIFO or queue was told to move on although it had no element to move over: full, or empty.
+    IncrementIgnored {
+        /// The register written.
+        register: String,
+        /// The fill level.
+        fill: u32,
+        /// The number of elements.
+        depth: u32,
+    },
+    /// A write meant for something else took a pending request back, because it carried 0 for the request.
+    RequestDropped {
+        /// The register written.
+        register: String,
+        /// The value written.
+        value: u32,
+    },
+    /// A FIFO or queue was reset while it was in use.
+    ResetInUse {
+        /// The register written.
+        register: String,
+        /// What uses it.
+        because: &'static str,
+    },
+    /// A register was read while its value means nothing.
+    ReadUnreliable {
+        /// The register.
+        register: String,
+        /// Why it means nothing.
+        because: &'static str,
+    },
+    /// A mode was requested that cannot be reached from the present one; the request is ignored.
+    IllegalModeChange {
+        /// The mode the controller is in.
+        from: String,
+        /// The mode requested.
+        to: String,
+    },
     /// A request that the controller ignores.
     RequestIgnored {
         /// The register written.
@@ -335,6 +372,15 @@ impl fmt::Display for DiagnosticKind {
             Self::NotHandedOut { register, buffer, put } => {
                 write!(f, "{register}: buffer {buffer} requested, but the put index is {put}")
             }
+            Self::IncrementIgnored { register, fill, depth } => {
+                write!(f, "{register}: nothing to move over, {fill} of {depth} elements are in use")
+            }
+            Self::RequestDropped { register, value } => {
+                write!(f, "write of {value:#x} to {register} takes the pending request back")
+            }
+            Self::ResetInUse { register, because } => write!(f, "{register}: reset in use: {because}"),
+            Self::ReadUnreliable { register, because } => write!(f, "{register} means nothing: {because}"),
+            Self::IllegalModeChange { from, to } => write!(f, "mode {to} cannot be reached from {from}"),
             Self::RequestIgnored { register, buffer, because } => {
                 write!(f, "{register}: the request for buffer {buffer} is ignored: {because}")
             }

@@ -90,7 +90,7 @@ impl Encoder {
 
     fn arbitration_and_control(&mut self, frame: &Frame) {
         self.number(Field::Sof, 0, 1);
-        let remote = u32::from(frame.is_remote());
+        let remote = u32::from(frame.is_remote() || frame.remote_request_substitution());
         let fd = frame.is_fd();
         match frame.id() {
             Id::Standard(id) => {
@@ -269,7 +269,7 @@ fn crc15(mut crc: u16, byte: u8) -> u16 {
 pub(crate) fn layout(frame: &Frame, iso: bool) -> Layout {
     let mut counter = Counter { state: 0, bits: 0 };
     let raw = u64::from(frame.raw_id());
-    let remote = u64::from(frame.is_remote());
+    let remote = u64::from(frame.is_remote() || frame.remote_request_substitution());
     let fd = frame.is_fd();
     // SOF to FDF, then the control field, as numbers.
     let (arbitration, width) = if frame.is_extended() {

@@ -1037,6 +1037,60 @@ pub mod manual_notes {
     //!
     //! Choice: The counter's value, 0 unless preset.
     //!
+    //! ## `mode_change_moment`
+    //!
+    //! How long after the request OPMOD changes when the module leaves Configuration or Disable mode for the bus.
+    //!
+    //! About [`CONH.OPMOD`](crate::registers::ConH::opmod), [`CONH.REQOP`](crate::registers::ConH::reqop).
+    //!
+    //! Nearest words: Modes change only when the bus is idle; on these changes the module integrates to the bus.
+    //!
+    //! Choice: When bus integration is complete, after eleven recessive bits; between Configuration and Disable mode a few clock periods after the request.
+    //!
+    //! Alternatives: A few clock periods after the request, before bus integration.
+    //!
+    //! ## `transmit_status_flags`
+    //!
+    //! When TXLARB and TXERR rise and fall while a message is sent several times.
+    //!
+    //! About [`FIFOSTA.TXLARB`](crate::registers::FifoSta::txlarb), [`FIFOSTA.TXERR`](crate::registers::FifoSta::txerr), [`TXQSTA.TXLARB`](crate::registers::Txqsta::txlarb), [`TXQSTA.TXERR`](crate::registers::Txqsta::txerr).
+    //!
+    //! Nearest words: Renewed when a message completes or aborts; TXLARB is set when arbitration is lost.
+    //!
+    //! Choice: They rise with the event, stay through the repetitions, also if one succeeds, and fall when the next message completes without it.
+    //!
+    //! ## `diagnostic_counter_overflow`
+    //!
+    //! What the bus diagnostic counters do beyond their largest value.
+    //!
+    //! About [`BDIAG0L`](crate::registers::Bdiag0L), [`BDIAG0H`](crate::registers::Bdiag0H), [`BDIAG1L`](crate::registers::Bdiag1L).
+    //!
+    //! Nearest words: Incremented by one on every error, never decremented.
+    //!
+    //! Choice: They stay at it.
+    //!
+    //! Alternatives: They roll over to 0.
+    //!
+    //! ## `errors_without_error_frame`
+    //!
+    //! Whether errors seen in Listen Only and Restricted Operation mode are reported.
+    //!
+    //! About [`INTL.IVMIF`](crate::registers::IntL::ivmif), [`BDIAG0L`](crate::registers::Bdiag0L), [`BDIAG0H`](crate::registers::Bdiag0H), [`BDIAG1H`](crate::registers::Bdiag1H).
+    //!
+    //! Nearest words: IVMIF is set if an error frame is transmitted; the diagnostic counters count every error.
+    //!
+    //! Choice: IVMIF is not set; the diagnostic registers take note.
+    //!
+    //! ## `transmit_address_error`
+    //!
+    //! What becomes of a message whose object lies at an address that does not exist.
+    //!
+    //! About [`INTL.SERRIF`](crate::registers::IntL::serrif), [`VECL.ICODE`](crate::registers::VecL::icode).
+    //!
+    //! Nearest words: Address errors raise a soft trap; transmit data that cannot be fetched stop the transmission and change the mode.
+    //!
+    //! Choice: The address error is reported, the transmission does not start, and the mode changes as for an underflow of the transmit assembly buffer. A received message is discarded.
+    //!
     //! ## `half_read_order`
     //!
     //! In what order the halves of a 32-bit value are accessed, and whether a read latches the other half.

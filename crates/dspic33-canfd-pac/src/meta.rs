@@ -1048,14 +1048,14 @@ pub static CONTROLLER: Controller = Controller {
             source: "",
         },
         Condition {
-            name: "FIFOCONL.FRESET",
-            doc: "FIFOCONL.FRESET",
+            name: "FIFOCONL.FRESET[n]",
+            doc: "FIFOCONL.FRESET[n]",
             expr: Expr::Compare {
                 field: regbus::meta::FieldRef {
                     register: 46,
                     field: 0,
                 },
-                index: Index::Single,
+                index: Index::Own,
                 comparison: Comparison::Equal,
                 value: 1,
             },
@@ -1105,8 +1105,8 @@ pub static CONTROLLER: Controller = Controller {
             source: "",
         },
         Condition {
-            name: "TRECH.TXBO && !config && FIFOCONL.TXEN",
-            doc: "TRECH.TXBO && !config && FIFOCONL.TXEN",
+            name: "TRECH.TXBO && !config && FIFOCONL.TXEN[n]",
+            doc: "TRECH.TXBO && !config && FIFOCONL.TXEN[n]",
             expr: Expr::All(
                 &[
                     Expr::Compare {
@@ -1134,7 +1134,7 @@ pub static CONTROLLER: Controller = Controller {
                             register: 46,
                             field: 3,
                         },
-                        index: Index::Single,
+                        index: Index::Own,
                         comparison: Comparison::Equal,
                         value: 1,
                     },

@@ -33,8 +33,10 @@ pub fn sleep_waits_and_wake_resumes<B: Bench>() {
     let ticket = can.send(&frame("123#01")).unwrap();
     let asleep = can.sleep(Polls(100_000)).unwrap_or_else(|_| panic!("it does not sleep"));
     assert_eq!(sim.peer_received(other).len(), 1, "what was pending is sent first");
+    bench.device_sleeps(&sim);
     sim.peer_send(sender, frame("200#02"));
     sim.run_for(FRAME);
+    bench.device_wakes(&sim);
     let mut can = asleep.wake(Polls(B::MODE_POLLS)).unwrap_or_else(|_| panic!("it does not wake"));
     assert_eq!(can.outcome(ticket), Outcome::Sent);
     let events = can.interrupts().events();

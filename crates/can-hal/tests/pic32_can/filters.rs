@@ -71,7 +71,7 @@ fn section_34_8_7_devicenet() {
     let bench = Bench::new();
     let peer = bench.peer();
     let memory = bench.memory(0x100).fifo(0, Receive { elements: 4 });
-    let filters = [Filter::new(frame("123#").id(), 0).with_data(0b1010_0101_1 << 9)];
+    let filters = [Filter::new(frame("123#").id(), 0).with_data(0b1_0100_1011 << 9)];
     let mask = Mask::EXACT.with_data(0x3_FFFF);
     let mut config = Config::new(TIMING).with_filters([mask; 4], &filters);
     config.data_bits = 9;

@@ -109,7 +109,6 @@ fn section_34_12_1_4_system_error() {
     bench.send(peer, &["100#", "101#"]);
     assert!(can.is_stopped());
     assert!(can.interrupts().contains(Interrupts::SYSTEM_ERROR));
-    drop(can);
     bench.sim.run_for(Time::from_ms(1));
     let mut can = bench.running(&memory, &config);
     assert!(!can.is_stopped());

@@ -29,12 +29,6 @@ fn register_34_20_transmit_status() {
     can.abort(0);
     assert_eq!(can.wait_for(ticket, Polls(10_000)), Ok(Outcome::Cancelled));
     assert!(can.tx_status(0).lost_arbitration);
-    // The model points at polls that destroy what they show; here the driver has kept it.
-    let found = bench.sim.take_diagnostics();
-    assert!(
-        found.iter().all(|found| matches!(found.kind, can_sim::DiagnosticKind::StatusReadTwice { .. })),
-        "{found:?}"
-    );
     assert_eq!(can.tx_status(0), QUIET);
     bench.sim.run_for(FRAME);
     let node = bench.sim.node(bench.id);
@@ -47,7 +41,12 @@ fn register_34_20_transmit_status() {
     let status = can.tx_status(0);
     assert!(status.error && !status.lost_arbitration && !status.requested);
     assert_eq!(can.tx_status(0), QUIET);
-    bench.finish();
+    // The model points at reads that follow one which destroyed something; here the driver has kept it.
+    let found = bench.sim.take_diagnostics();
+    assert!(
+        found.iter().all(|found| matches!(found.kind, can_sim::DiagnosticKind::StatusReadTwice { .. })),
+        "{found:?}"
+    );
 }
 
 /// As near to one attempt as the module comes: aborted after the first error.

@@ -1,37 +1,6 @@
 //! The registers and fields that the model works with, by their names in the description.
 
-use crate::registers::{FieldAt, RegisterFile, Slot};
-
-macro_rules! names {
-    (
-        registers { $($register:ident = $name:literal),* $(,)? }
-        fields { $($field:ident = $of:ident $field_name:literal),* $(,)? }
-    ) => {
-        /// Registers.
-        #[derive(Clone, Debug)]
-        pub(super) struct Slots {
-            $(pub(super) $register: Slot,)*
-        }
-
-        /// Fields that hardware changes.
-        #[derive(Clone, Debug)]
-        pub(super) struct Fields {
-            $(pub(super) $field: FieldAt,)*
-        }
-
-        /// Looks the names up once.
-        pub(super) fn look_up(file: &RegisterFile) -> (Slots, Fields) {
-            let slot = |name| file.find(name, 0, 0).unwrap_or_else(|| panic!("the description has no {name}"));
-            let slots = Slots { $($register: slot($name),)* };
-            let fields = Fields {
-                $($field: file
-                    .find_field(slots.$of, $field_name, 0)
-                    .unwrap_or_else(|| panic!("the description has no {}.{}", stringify!($of), $field_name)),)*
-            };
-            (slots, fields)
-        }
-    };
-}
+use crate::registers::names::names;
 
 names! {
     registers {

@@ -1,16 +1,14 @@
 //! What states of the registers do to other registers.
 
-use regbus::meta::{Effect, FieldRef, Index};
+use regbus::meta::{Effect, Expr, FieldRef, Index};
 
 use super::{FieldAt, RegisterFile, Slot, conditions};
 
 /// One effect for one number that `[n]` can stand for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Instance {
     effect: &'static Effect,
     own: Option<u32>,
-    /// The element of its cluster that an effect of one element's state concerns.
-    element: Option<u32>,
 }
 
 /// The effects of a description, and which registers each depends on.
@@ -33,18 +31,15 @@ impl Effects {
         let mut effects = Self { touched: vec![Vec::new(); file.values.len()], ..Self::default() };
         for effect in file.meta.effects {
             let expr = &file.meta.conditions[effect.on as usize].expr;
-            let clustered = clustered(file, expr);
-            for own in numbers(file, conditions::own_field(expr).or(clustered)) {
-                let first = clustered.and_then(|field| file.meta.registers[field.register as usize].cluster);
-                let element = first.zip(own).map(|(cluster, own)| own - cluster.first);
-                effects.add(file, effect, own, element);
+            for own in numbers(file, conditions::own_field(expr).or_else(|| clustered(file, expr))) {
+                effects.add(file, effect, own);
             }
         }
         effects.held = vec![false; effects.instances.len()];
         effects
     }
 
-    fn add(&mut self, file: &RegisterFile, effect: &'static Effect, own: Option<u32>, element: Option<u32>) {
+    fn add(&mut self, file: &RegisterFile, effect: &'static Effect, own: Option<u32>) {
         let index = self.instances.len() as u16;
         let mut slots = Vec::new();
         let mut fields = Vec::new();
@@ -53,21 +48,20 @@ impl Effects {
         if effect.holds {
             let targets = effect.resets_fields.iter().chain(effect.sets.iter().map(|(field, _)| field));
             let moved = effect.loads.iter().flat_map(|(target, origin)| [target, origin]);
-            let registers = targets.chain(moved).map(|field| field.register);
-            let registers = registers.chain(effect.resets.iter().copied());
-            slots.extend(registers.flat_map(|register| file.concerned(register, element)));
+            let registers = targets.chain(moved).map(|field| field.register).chain(effect.resets.iter().copied());
+            slots.extend(registers.flat_map(|register| file.elements(register, own)));
         }
         slots.sort_unstable();
         slots.dedup();
         for slot in slots {
             self.touched[slot.0 as usize].push(index);
         }
-        self.instances.push(Instance { effect, own, element });
+        self.instances.push(Instance { effect, own });
     }
 }
 
 /// A field of a cluster in an expression: what it says is meant of every element by itself.
-fn clustered(file: &RegisterFile, expr: &regbus::meta::Expr) -> Option<FieldRef> {
+fn clustered(file: &RegisterFile, expr: &Expr) -> Option<FieldRef> {
     let mut found = Vec::new();
     conditions::fields(expr, &mut found);
     let of_cluster = |field: &FieldRef| file.meta.registers[field.register as usize].cluster.is_some();
@@ -92,7 +86,7 @@ impl RegisterFile {
     /// After a reset: states that hold now have no edge, those that are held act.
     pub(super) fn restart_effects(&mut self) {
         for index in 0..self.effects.instances.len() {
-            let Instance { effect, own, .. } = self.effects.instances[index];
+            let Instance { effect, own } = self.effects.instances[index].clone();
             self.effects.held[index] = self.holds(effect.on, own);
         }
         for slot in self.slots() {
@@ -124,42 +118,23 @@ impl RegisterFile {
         self.effects.running = false;
     }
 
-    /// The registers that an effect of one element of a cluster, or of anything else, concerns.
-    fn concerned(&self, register: u16, element: Option<u32>) -> impl Iterator<Item = Slot> + use<> {
-        let info = &self.meta.registers[register as usize];
-        let inners = info.array.map_or(1, |array| array.count) as u16;
-        let first = self.first[register as usize];
-        let (first, count) = match element.filter(|_| info.cluster.is_some()) {
-            Some(element) => (first + element as u16 * inners, inners),
-            None => (first, info.count() as u16),
-        };
-        (first..first + count).map(Slot)
-    }
-
     fn look_at(&mut self, index: usize) {
-        let Instance { effect, own, element } = self.effects.instances[index];
+        let (effect, own) = (self.effects.instances[index].effect, self.effects.instances[index].own);
         let holds = self.holds(effect.on, own);
         let held = core::mem::replace(&mut self.effects.held[index], holds);
         if !holds || (held && !effect.holds) {
             return;
         }
         for register in effect.resets {
-            for slot in self.concerned(*register, element) {
+            for slot in self.elements(*register, own) {
                 let value = self.reset_value(slot);
                 self.set(slot, value);
             }
         }
         for field in effect.resets_fields {
-            if own.is_some() && element.is_none() {
-                let at = self.target(*field, own);
+            for at in self.targets(*field, own) {
                 let value = self.reset_value(at.slot) >> at.lsb;
                 self.set_field(at, value);
-                continue;
-            }
-            let bits = self.field_info(*field).all();
-            for slot in self.concerned(field.register, element) {
-                let value = self.get(slot) & !bits | self.reset_value(slot) & bits;
-                self.set(slot, value);
             }
         }
         for (target, origin) in effect.loads {
@@ -167,11 +142,37 @@ impl RegisterFile {
             self.set_field(self.target(*target, own), value);
         }
         for (field, value) in effect.sets {
-            self.set_field(self.target(*field, own), *value);
+            for at in self.targets(*field, own) {
+                self.set_field(at, *value);
+            }
         }
     }
 
-    /// Where an effect acts: of a repeated field on the one with the number that `[n]` stands for.
+    /// Where an effect acts: on the element or lane with the number that `[n]` stands for in its condition, and in all
+    /// elements where the condition has none.
+    fn targets(&self, field: FieldRef, own: Option<u32>) -> impl Iterator<Item = FieldAt> + use<> {
+        let first = self.target(field, own);
+        let (own, info) = (own.map(|_| first), self.field_info(field));
+        let elements = self.elements(field.register, None).map(move |slot| FieldAt { slot, ..first });
+        debug_assert!(own.is_some() || info.lanes == 1, "{} has lanes and no number", info.name);
+        own.into_iter().chain(elements.filter(move |_| own.is_none()))
+    }
+
+    /// The elements of a register: the one with the number that `[n]` stands for, all of them without a number.
+    fn elements(&self, register: u16, own: Option<u32>) -> impl Iterator<Item = Slot> + use<> {
+        let info = &self.meta.registers[register as usize];
+        let first = self.first[register as usize];
+        // Where a register has lanes, the number is that of a lane.
+        let numbered = info.fields.iter().all(|field| field.lanes == 1);
+        let one = match (info.cluster.or(info.array), own) {
+            (Some(array), Some(own)) if numbered && info.count() == array.count => own.checked_sub(array.first),
+            _ => None,
+        };
+        let (from, count) = one.filter(|one| *one < info.count()).map_or((0, info.count()), |one| (one, 1));
+        (from..from + count).map(move |element| Slot(first + element as u16))
+    }
+
+    /// Of a repeated field on the one with the number that `[n]` stands for.
     fn target(&self, field: FieldRef, own: Option<u32>) -> FieldAt {
         let numbered = own.and_then(|_| self.numbered(field, Index::Own, own));
         numbered.unwrap_or_else(|| self.field_at(field))

@@ -8,6 +8,7 @@ mod conditions;
 mod effects;
 mod lines;
 mod map;
+pub(crate) mod names;
 mod write;
 
 use regbus::meta::{Access, Controller, Field, FieldRef, ReadEffect, RegisterInfo};

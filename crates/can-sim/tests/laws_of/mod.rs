@@ -28,13 +28,13 @@ pub trait Subject {
     /// Registers whose writes make the model do more than store; each has tests of its own.
     fn acts(register: &str) -> bool;
 
-    /// Takes it out of a reset in which flags are held cleared.
-    fn release(_sim: &Sim, _id: Handle<Self::Model>) {}
-
     /// Registers that the host should not read: the model reports it.
     fn reads_are_reported(_register: &str) -> bool {
         false
     }
+
+    /// Takes it out of a reset in which flags are held cleared.
+    fn release(_sim: &Sim, _id: Handle<Self::Model>) {}
 
     /// Brings a named condition about, or the contrary, where forcing its fields is not enough. Returns false to leave it
     /// to the fields.
@@ -147,7 +147,10 @@ pub fn reset_values<S: Subject>() -> u32 {
         }
         count += 1;
     }
-    assert_eq!(sim.diagnostics(), []);
+    // Values that mean nothing after a reset may be looked at all the same.
+    let unreliable = |kind: &DiagnosticKind| matches!(kind, DiagnosticKind::ReadUnreliable { .. });
+    let others: Vec<_> = sim.diagnostics().into_iter().filter(|diagnostic| !unreliable(&diagnostic.kind)).collect();
+    assert_eq!(others, []);
     count
 }
 

@@ -125,6 +125,7 @@ impl Protocol {
                 }
                 let fd = bit && self.options.fd == FdSupport::Fd;
                 self.incoming.fd = fd;
+                self.incoming.rrs = fd && self.incoming.remote;
                 self.incoming.remote &= !fd;
                 self.checks.choose_format(fd);
                 self.move_to(if fd || self.incoming.extended { Field::Res } else { Field::Dlc });

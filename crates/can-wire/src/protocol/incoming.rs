@@ -11,6 +11,8 @@ pub(crate) struct Incoming {
     pub(crate) extension: u32,
     pub(crate) extended: bool,
     pub(crate) remote: bool,
+    /// Of an FD frame.
+    pub(crate) rrs: bool,
     pub(crate) fd: bool,
     pub(crate) brs: bool,
     pub(crate) esi: bool,
@@ -31,6 +33,7 @@ impl Incoming {
             extension: 0,
             extended: false,
             remote: false,
+            rrs: false,
             fd: false,
             brs: false,
             esi: false,
@@ -51,6 +54,7 @@ impl Incoming {
             extension: if frame.is_extended() { raw & 0x3_FFFF } else { 0 },
             extended: frame.is_extended(),
             remote: frame.is_remote(),
+            rrs: frame.remote_request_substitution(),
             fd: frame.is_fd(),
             brs: frame.bit_rate_switch(),
             esi: frame.error_state_indicator(),
@@ -105,6 +109,7 @@ impl Incoming {
             (false, false) => Format::Data,
         };
         Frame::from_fields(id, format, Dlc::from_low_bits(self.dlc), &self.data[..usize::from(self.bytes)])
+            .with_remote_request_substitution(self.rrs)
     }
 }
 

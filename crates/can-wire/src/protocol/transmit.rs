@@ -35,10 +35,10 @@ impl Protocol {
                 let base = if frame.is_extended() { frame.raw_id() >> 18 } else { frame.raw_id() };
                 base >> (10 - bit) & 1 == 1
             }
-            Field::Rtr => frame.is_extended() || frame.is_remote(),
+            Field::Rtr => frame.is_extended() || frame.is_remote() || frame.remote_request_substitution(),
             Field::Ide => matches!(frame.id(), Id::Extended(_)),
             Field::ExtendedId => frame.raw_id() >> (17 - bit) & 1 == 1,
-            Field::ExtendedRtr => frame.is_remote(),
+            Field::ExtendedRtr => frame.is_remote() || frame.remote_request_substitution(),
             Field::Fdf => frame.is_fd(),
             Field::Brs => frame.bit_rate_switch(),
             Field::Esi => matches!(frame.format(), Format::Fd(flags) if flags.esi),
