@@ -248,6 +248,11 @@ impl NodeFaults {
         self.driven = self.driven_next.take();
     }
 
+    /// The bit has ended before its time: the mode has changed. A fault on the output is over with its bit.
+    pub(crate) fn break_off_bit(&mut self) {
+        self.driven = None;
+    }
+
     pub(crate) fn drives_wrong(&self) -> bool {
         self.driven.is_some()
     }

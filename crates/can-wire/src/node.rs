@@ -381,6 +381,7 @@ impl Node {
     pub(crate) fn follow_engine(&mut self, now: Time) -> Output {
         self.driven = self.protocol.drive;
         self.drive_key = NEVER;
+        self.faults.break_off_bit();
         self.apply_input(now);
         self.pin_output()
     }

@@ -9,6 +9,22 @@ use can_wire::{
 };
 use common::{bench_of, confine::*, frame, received, run, transmitted};
 
+// A controller that stops at its error, in the middle of the disturbed bit, leaves no dominant level behind.
+#[test]
+fn a_fault_on_the_output_ends_with_its_bit_also_if_the_node_is_switched_off_in_it() {
+    let (mut wire, a, b) = two();
+    let position = Position::new(Field::Data, 3);
+    wire.inject(Fault::Bit { node: a, fault: BitFault::InvertDriven, position, frames: Frames::next_of(a) });
+    wire.send(a, frame("123#FF")).unwrap();
+    let failed = |event: &can_wire::Event| matches!(event.kind, EventKind::TransmissionFailed(_));
+    while !failed(&wire.next_event(Time::from_ms(1)).unwrap()) {}
+    assert!(wire.bus_level().is_dominant(), "the disturbed bit");
+    wire.set_mode(a, Mode::Off);
+    assert!(!wire.bus_level().is_dominant());
+    run(&mut wire, Time::from_us(200));
+    assert_eq!(wire.error_counters(b), (0, 0), "one wrong bit is no error for the receiver until the frame is cut short");
+}
+
 // Rule i: error passive above 127, and the error that makes it so is still signalled with an active flag.
 #[test]
 fn i_the_error_that_makes_a_node_passive_is_signalled_actively() {

@@ -33,8 +33,10 @@ pub(super) struct Tx {
     pause: Option<Time>,
     /// When a running Tx scan ends.
     scan_end: Option<Time>,
-    /// Requests came in while a Tx scan was running.
+    /// TXBRP has changed while a Tx scan was running.
     scan_again: bool,
+    /// 2.3.38: buffers requested while a Tx scan was running, which the scan does not consider.
+    late: u32,
     /// The node was error passive when the transmission started.
     pub(super) passive_at_start: bool,
     /// The next start of a transmission meets a Message RAM failure.
@@ -99,6 +101,9 @@ impl MCanModel {
         self.clear_bits(self.r.txbcf, added);
         // In Bus Monitoring Mode TXBRP is held in reset, by the description (3.1.6).
         self.regs.set(self.r.txbrp, pending | added);
+        if self.tx.scan_end.is_some() {
+            self.tx.late |= added;
+        }
         self.fifo_requested(cx, added);
         self.scan(cx);
     }
@@ -153,7 +158,7 @@ impl MCanModel {
             let fifo = if self.tx.used > 0 { get } else { 0 };
             pending & (regbus::bits::mask(dedicated) | fifo)
         };
-        eligible & !started
+        eligible & !started & !self.tx.late
     }
 
     /// Hands a message to the core, in place of one that has not started.
@@ -162,7 +167,9 @@ impl MCanModel {
             // The core has begun with it: its start of frame follows in the next bit.
             self.tx.sending = self.tx.placed.take();
         }
-        let allowed = sends(self.modes.mode) && self.tx.pause.is_none() && !self.regs.is_set(self.f.bo);
+        // The failure that makes the node bus off is told before PSR.BO follows.
+        let bus_off = cx.wire.error_state(cx.node) == can_wire::ErrorState::BusOff;
+        let allowed = sends(self.modes.mode) && self.tx.pause.is_none() && !bus_off;
         let buffer = buffer.filter(|_| allowed);
         if self.tx.sending.is_some() {
             return;
@@ -298,6 +305,7 @@ impl MCanModel {
         if self.tx.scan_end.is_some_and(|at| at <= cx.now) {
             self.tx.scan_end = None;
             self.finish_scan(cx);
+            self.tx.late = 0;
             if core::mem::take(&mut self.tx.scan_again) {
                 self.scan(cx);
             }

@@ -42,6 +42,7 @@ fn section_2_3_14_bus_off_and_recovery() {
     assert_eq!(psr.lec(), LastErrorCode::Bit0Error, "the first data bit was sent dominant");
     seen(Ir::BO);
     assert!(regs.psr().read().bo() && regs.cccr().read().init(), "INIT is set by hardware");
+    assert_eq!(sim.diagnostics(), [], "the pending request waits, it is no mistake");
     sim.with_wire(|wire| wire.clear_faults());
     can.clear(&sim);
     let start = sim.now();

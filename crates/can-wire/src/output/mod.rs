@@ -3,6 +3,7 @@
 mod candump;
 mod capture;
 mod pcapng;
+mod recording;
 mod svg;
 mod timeline;
 mod vcd;
@@ -10,6 +11,8 @@ mod vcd;
 pub use candump::CandumpLog;
 pub use capture::FrameCapture;
 pub use pcapng::PcapNg;
+pub use recording::Recording;
+pub use svg::Picture;
 pub use vcd::Vcd;
 
 use can_frame::{Direction, Frame};

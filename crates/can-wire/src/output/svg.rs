@@ -15,6 +15,8 @@ const RIGHT: f64 = 16.0;
 /// Room for the explanation below the picture.
 const NARROWEST: f64 = 760.0;
 const HEADER: f64 = 76.0;
+/// The part of it that the title takes.
+const HEADER_TEXT: f64 = 24.0;
 /// Height of one waveform and of the space below it.
 const WAVE: f64 = 22.0;
 const ROW: f64 = 34.0;
@@ -25,11 +27,36 @@ const STYLE: &str = "text{font:12px sans-serif;fill:#1b1f24}.small{font-size:10p
 .fast{fill:#fff1d6}.bad{fill:#ffdcd7}.stuff{fill:#8250df;fill-opacity:.22}.fault{fill:#cf222e;fill-opacity:.35}\
 .sample{stroke:#8c959f;stroke-width:.7}.page{fill:#fff}";
 
+/// How a frame is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    /// Names of the nodes, by their numbers; those without have their number.
+    pub names: &'a [&'a str],
+    /// For a page that has a style of its own: neither background, title, style nor explanation. The page gives the classes
+    /// `field`, `fast`, `bad`, `wave`, `tx`, `rx`, `sample`, `stuff`, `fault` and `small` inside `svg.frame` their looks.
+    pub bare: bool,
+    /// Width of the shortest bit in pixels.
+    pub bit: f64,
+}
+
+impl Default for Picture<'_> {
+    /// Nodes by their numbers, a picture that stands alone, 9 pixels for the shortest bit.
+    fn default() -> Self {
+        Picture { names: &[], bare: false, bit: BIT }
+    }
+}
+
 impl FrameCapture {
     /// The frame as an SVG picture: fields on top, below it for every node what it drove (blue) and saw (green), the
     /// sample points as ticks, stuff bits shaded violet, injected faults red.
     #[must_use]
     pub fn svg(&self) -> String {
+        self.draw(&Picture::default())
+    }
+
+    /// The same as the caller wants it.
+    #[must_use]
+    pub fn draw(&self, picture: &Picture<'_>) -> String {
         let reference: Vec<&BitRecord> = self.of(self.reference).collect();
         let nodes = self.nodes();
         let (Some(first), Some(last)) = (reference.first(), reference.last()) else {
@@ -38,41 +65,53 @@ impl FrameCapture {
         let shortest = reference.windows(2).map(|pair| pair[1].start.since(pair[0].start).as_ps()).min();
         let shortest = shortest.unwrap_or(1).max(1);
         let end = last.sample + last.sample.since(last.start);
-        let scale = Scale { origin: first.start, per_ps: BIT / shortest as f64 };
-        let width = (scale.x(end) + RIGHT).max(NARROWEST);
-        let height = HEADER + nodes.len() as f64 * (2.0 * ROW + NODE_GAP) + 26.0;
+        let scale = Scale { origin: first.start, per_ps: picture.bit / shortest as f64 };
+        let (narrowest, below) = if picture.bare { (0.0, 0.0) } else { (NARROWEST, 26.0) };
+        let width = (scale.x(end) + RIGHT).max(narrowest);
+        let height = HEADER + nodes.len() as f64 * (2.0 * ROW + NODE_GAP) + below;
         let mut svg = String::new();
         let out = &mut svg;
         // Writing to a string cannot fail.
+        let above = if picture.bare { HEADER_TEXT } else { 0.0 };
         let _ = write!(
             out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
-             viewBox=\"0 0 {width:.0} {height:.0}\"><style>{STYLE}</style>\n\
-             <rect class=\"page\" width=\"100%\" height=\"100%\"/>\n\
-             <text x=\"8\" y=\"18\">{} start of frame at {}</text>\n",
-            self.title(),
-            first.start
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"frame\" width=\"{width:.0}\" height=\"{0:.0}\" \
+             viewBox=\"0 {above:.0} {width:.0} {0:.0}\">",
+            height - above
         );
+        if !picture.bare {
+            let _ = write!(
+                out,
+                "<style>{STYLE}</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n\
+                 <text x=\"8\" y=\"18\">{} start of frame at {}</text>\n",
+                self.title(),
+                first.start
+            );
+        }
         fields(out, &reference, end, &scale);
         for (index, node) in nodes.iter().enumerate() {
             let top = HEADER + index as f64 * (2.0 * ROW + NODE_GAP);
-            self.node(out, *node, top, end, &scale);
+            let name = picture.names.get(node.index()).map_or_else(|| node.to_string(), |name| escaped(name));
+            self.node(out, *node, &name, top, end, &scale);
         }
-        let _ = write!(
-            out,
-            "<text class=\"small\" x=\"8\" y=\"{:.0}\">high is recessive; blue: driven, green: seen; ticks: sample \
-             points; violet: stuff bits; red: injected faults; yellow fields: data bit rate</text>\n</svg>\n",
-            height - 8.0
-        );
+        if !picture.bare {
+            let _ = write!(
+                out,
+                "<text class=\"small\" x=\"8\" y=\"{:.0}\">high is recessive; blue: driven, green: seen; ticks: sample \
+                 points; violet: stuff bits; red: injected faults; yellow fields: data bit rate</text>\n",
+                height - 8.0
+            );
+        }
+        svg += "</svg>\n";
         svg
     }
 
-    fn node(&self, out: &mut String, node: NodeId, top: f64, end: Time, scale: &Scale) {
+    fn node(&self, out: &mut String, node: NodeId, name: &str, top: f64, end: Time, scale: &Scale) {
         let bits: Vec<&BitRecord> = self.of(node).collect();
         let role = if bits.iter().any(|bit| bit.role == Role::Transmitter) { "transmitter" } else { "receiver" };
         let _ = writeln!(
             out,
-            "<text x=\"8\" y=\"{:.0}\">{node}</text><text class=\"small\" x=\"8\" y=\"{:.0}\">{role}</text>",
+            "<text x=\"8\" y=\"{:.0}\">{name}</text><text class=\"small\" x=\"8\" y=\"{:.0}\">{role}</text>",
             top + 16.0,
             top + 30.0
         );
@@ -109,6 +148,11 @@ impl FrameCapture {
             }
         }
     }
+}
+
+/// A name as text of a picture.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Names of the fields, those with too little room for it written upright.

@@ -159,7 +159,10 @@ pub(super) fn label(group: &Group, reference: &[&BitRecord]) -> String {
         let bits = reference[group.first..group.end].iter().filter(|bit| !bit.position.stuff);
         bits.fold(0u64, |value, bit| value << 1 | u64::from(bit.seen.bit()))
     };
+    let whole = || reference[group.first..group.end].iter().filter(|bit| !bit.position.stuff).count() == 8;
     match (group.field, group.byte) {
+        // A byte that an error has cut short has no value.
+        (Field::Data, Some(byte)) if !whole() => format!("D{byte}"),
         (Field::Data, Some(byte)) => format!("D{byte}={:02X}", value()),
         (Field::BaseId, _) => format!("ID={:03X}", value()),
         (Field::ExtendedId, _) => format!("ID-ext={:05X}", value()),

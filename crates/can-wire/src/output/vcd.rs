@@ -23,14 +23,23 @@ impl<W: io::Write> Vcd<W> {
     /// # Errors
     /// If `output` cannot be written.
     pub fn new(output: W, nodes: usize) -> io::Result<Vcd<W>> {
+        let names: Vec<String> = (0..nodes).map(|node| format!("node{node}")).collect();
+        Vcd::with_names(output, &names.iter().map(String::as_str).collect::<Vec<_>>())
+    }
+
+    /// The same with names for the nodes, which take the place of `node0`, `node1` and so on.
+    ///
+    /// # Errors
+    /// If `output` cannot be written.
+    pub fn with_names(output: W, nodes: &[&str]) -> io::Result<Vcd<W>> {
         let mut writer = Writer::new(output);
         writer.timescale(1, TimescaleUnit::PS)?;
         writer.add_module("wire")?;
         let bus = writer.add_wire(1, "bus")?;
-        let mut pins = Vec::with_capacity(nodes);
-        for node in 0..nodes {
-            writer.add_module(&format!("node{node}"))?;
-            pins.push([writer.add_wire(1, &format!("node{node}_tx"))?, writer.add_wire(1, &format!("node{node}_rx"))?]);
+        let mut pins = Vec::with_capacity(nodes.len());
+        for node in nodes {
+            writer.add_module(node)?;
+            pins.push([writer.add_wire(1, &format!("{node}_tx"))?, writer.add_wire(1, &format!("{node}_rx"))?]);
             writer.upscope()?;
         }
         writer.upscope()?;
