@@ -2,6 +2,7 @@
 
 mod artefacts;
 mod codegen;
+mod demo;
 mod descriptions;
 mod diff;
 mod dump;
@@ -13,7 +14,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-/// Turns register descriptions into Rust, C, SVD and HTML.
+/// Turns register descriptions into Rust, C, SVD and HTML; shows what runs on them.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, arg_required_else_help = true)]
 struct Cli {
@@ -59,6 +60,14 @@ enum Command {
         /// The new description.
         new: String,
     },
+    /// Shows two controllers on a simulated bus: frames, a fault, error passive, bus off, and the way back.
+    ///
+    /// Prints a timeline and writes report.html, bus.vcd (GTKWave, PulseView), bus.pcapng (Wireshark) and candump.log.
+    Demo {
+        /// The folder for the files; target/demo/ if left out.
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
     /// Writes the JSON schema for editors to regdefs/schema.json.
     Schema,
     /// Writes the HTML reference to target/reference/ and the language reference to docs/.
@@ -80,6 +89,7 @@ fn main() -> ExitCode {
         Command::Check { files } => descriptions::check(&files),
         Command::Dump { controller, format } => dump::print(&controller, matches!(format, Format::Json)),
         Command::Diff { old, new } => diff::print(&old, &new),
+        Command::Demo { out } => demo::run(out),
         Command::Schema => codegen::schema(),
         Command::Docs => codegen::docs(),
     };
