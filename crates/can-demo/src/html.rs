@@ -120,8 +120,7 @@ fn line(story: &Story, moment: &moments::Moment) -> Value {
 fn facts(story: &Story) -> Value {
     let attempts = story.attempts();
     let lost = attempts.iter().find(|attempt| matches!(attempt.fate, Fate::Lost(_)));
-    let failures: Vec<&Attempt> =
-        attempts.iter().filter(|attempt| matches!(attempt.fate, Fate::Failed(_))).collect();
+    let failures: Vec<&Attempt> = attempts.iter().filter(|attempt| matches!(attempt.fate, Fate::Failed(_))).collect();
     let winner = lost.and_then(|lost| {
         attempts.iter().find(|other| other.node != lost.node && other.from < lost.until && other.until > lost.until)
     });
@@ -139,7 +138,8 @@ fn facts(story: &Story) -> Value {
     let meanwhile = attempts.iter().filter(|attempt| {
         attempt.node == PANEL && attempt.from > off && attempt.until < back && matches!(attempt.fate, Fate::Sent(_))
     });
-    let between = attempts.iter().find(|attempt| attempt.node == PANEL && attempt.from > passive && attempt.until < off);
+    let between =
+        attempts.iter().find(|attempt| attempt.node == PANEL && attempt.from > passive && attempt.until < off);
     let sequences = story.events(MOTOR).filter(|event| event.time <= back).filter_map(|event| match event.kind {
         can_wire::EventKind::RecoverySequence { count } => Some(count),
         _ => None,

@@ -275,14 +275,8 @@ pub fn play<A: Station, B: Station>() -> Result<Story, Error> {
     let recording = Arc::new(Mutex::new(Recording::new()));
     sim.with_wire(|wire| wire.set_trace(Some(Box::new(Arc::clone(&recording)))));
     let display = DISPLAY[usize::from(!(knows_fd::<A>() && knows_fd::<B>()))];
-    let node = |index: usize, title, id, clock, timing| Node {
-        name: NAMES[index],
-        title,
-        id,
-        clock,
-        ppm: PPM[index],
-        timing,
-    };
+    let node =
+        |index: usize, title, id, clock, timing| Node { name: NAMES[index], title, id, clock, ppm: PPM[index], timing };
     let nodes = vec![
         node(MOTOR, A::META.title, a.node(&sim), A::CLOCK, Some(timing.0)),
         node(PANEL, B::META.title, b.node(&sim), B::CLOCK, Some(timing.1)),
