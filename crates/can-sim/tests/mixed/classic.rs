@@ -5,7 +5,7 @@ use std::{cell::RefCell, collections::VecDeque};
 
 use can_frame::{Dlc, ExtendedId, Format, Frame, Id, StandardId};
 use can_sim::{BusEntry, PeerId, Sim, Time};
-use can_wire::NodeConfig;
+use can_wire::{FdSupport, NodeConfig, ProtocolException};
 use dspic33_canfd_pac::enums::PayloadSize;
 use dspic33_ecan_pac::enums::{FilterTarget, MaskSource, OperationMode, TxPriority};
 use rand_chacha::{
@@ -13,7 +13,8 @@ use rand_chacha::{
     rand_core::{Rng, SeedableRng},
 };
 
-use crate::{Inbox, canfd, ecan, errors_after_acceptance, m_can, pic32};
+use crate::{Inbox, canfd, ecan, errors_after_acceptance, m_can, no_exception, pic32};
+use m_can_pac::registers::Cccr;
 
 const FRAMES: usize = 10_000;
 const NODES: usize = 5;
@@ -159,8 +160,10 @@ fn sender_of(frame: &Frame) -> usize {
 }
 
 fn bus(sim: &Sim) -> [Box<dyn Driver>; NODES] {
-    let m_can = m_can::add(sim, "m_can")
-        .run(sim, &m_can::Setup { txbc: 5 << 24 | 0x14C0, rxf0c: 8 << 16 | 0x40, rxesc: 0, ..m_can::SETUP });
+    let m_can = m_can::add(sim, "m_can").run(
+        sim,
+        &m_can::Setup { cccr: Cccr::PXHD, txbc: 5 << 24 | 0x14C0, rxf0c: 8 << 16 | 0x40, rxesc: 0, ..m_can::SETUP },
+    );
     let canfd = canfd::add(sim, "dspic33_canfd");
     canfd.configure(sim);
     canfd.tx_fifo(sim, 1, canfd::TX8);
@@ -171,7 +174,8 @@ fn bus(sim: &Sim) -> [Box<dyn Driver>; NODES] {
     // Filter 0 sends remote requests to FIFO 3, filter 1 everything else to FIFO 2.
     canfd.filter(sim, 0, 0x700, 1 << 30 | 0x7FF, 3);
     canfd.filter(sim, 1, 0, 0, 2);
-    canfd.start(sim);
+    no_exception(sim, canfd);
+    canfd.go(sim, canfd::Mode::NormalCan2_0);
     canfd.load(sim, 3, &reply_of(1));
     let ecan = ecan::add(sim, "dspic33_ecan").set_up(sim);
     ecan.write_fctrl(sim, ecan::FIFO_5_TO_11);
@@ -189,7 +193,9 @@ fn bus(sim: &Sim) -> [Box<dyn Driver>; NODES] {
     pic32.filter(sim, 1, 1, 1, pic32_can_pac::registers::Rxf::RESET, pic32_can_pac::registers::Rxm::RESET);
     pic32.start(sim);
     pic32.queue(sim, 2, &reply_of(3));
-    let peer = sim.add_peer(NodeConfig::new()).unwrap();
+    let config =
+        NodeConfig { fd: FdSupport::Classic, protocol_exception: ProtocolException::FormError, ..NodeConfig::new() };
+    let peer = sim.add_peer(config).unwrap();
     sim.run_for(Time::from_us(100));
     let plain = Plain { peer, received: RefCell::default() };
     [Box::new(MCan(m_can)), Box::new(Canfd(canfd)), Box::new(Ecan(ecan)), Box::new(Pic32(pic32)), Box::new(plain)]

@@ -5,14 +5,14 @@ use std::collections::VecDeque;
 use can_frame::{Dlc, ExtendedId, FdFlags, Format, Frame, Id, StandardId};
 use can_sim::{Sim, Time};
 use dspic33_canfd_pac::enums::PayloadSize;
-use m_can_pac::registers::Ir;
+use m_can_pac::registers::{Cccr, Ir};
 use rand_chacha::{
     ChaCha8Rng,
     rand_core::{Rng, SeedableRng},
 };
 use regbus::Bus;
 
-use crate::{Inbox, canfd, errors_after_acceptance, m_can};
+use crate::{Inbox, canfd, errors_after_acceptance, m_can, no_exception};
 
 const FRAMES: usize = 10_000;
 
@@ -46,7 +46,7 @@ fn random_frame(random: &mut ChaCha8Rng, sender: u32) -> Frame {
 fn set_up_m_can(sim: &Sim) -> m_can::Can {
     let can = m_can::add(sim, "m_can");
     let setup = m_can::Setup {
-        cccr: m_can::FD,
+        cccr: m_can::FD | Cccr::PXHD,
         sidfc: 1 << 16,
         xidfc: 1 << 16 | 0x020,
         gfc: 0b10_1000,
@@ -73,6 +73,7 @@ fn set_up_canfd(sim: &Sim) -> canfd::Can {
     can.filter(sim, 0, 0, 1 << 30 | 0x400, 2);
     can.filter(sim, 1, 0x400, 1 << 30 | 0x600, 2);
     can.filter(sim, 2, 1 << 30, 1 << 30 | 1 << 11, 2);
+    no_exception(sim, can);
     can.start(sim);
     can
 }

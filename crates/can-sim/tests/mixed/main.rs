@@ -57,3 +57,10 @@ fn errors_after_acceptance(sim: &Sim) -> usize {
     };
     sim.bus_log().iter().filter(|entry| late(entry)).count()
 }
+
+/// Where a bit error turns FDF and the bit behind it recessive, a node that knows the protocol exception waits for the bus to
+/// become idle without a sign, and misses the message. Without it the node signals an error and the message comes again.
+fn no_exception(sim: &Sim, can: canfd::Can) {
+    let con = can.regs(sim).con_l();
+    con.write(con.read().with_pxedis(dspic33_canfd_pac::enums::ConLPxedis::FormError));
+}
