@@ -60,6 +60,11 @@ pub fn run() -> Result<Vec<(&'static str, Vec<Frame>)>> {
         let can = board::configured(&sim, "can0", &can_hal::m_can::Config::new(board::TIMING))?;
         echoed.push(("M_CAN", echo_on(&sim, can)?));
     }
+    {
+        let sim = Sim::new();
+        let can = board::dspic33_canfd::configured(&sim, "can0")?;
+        echoed.push(("dsPIC33 CAN FD", echo_on(&sim, can)?));
+    }
     Ok(echoed)
 }
 

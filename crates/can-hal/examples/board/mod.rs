@@ -3,6 +3,8 @@
 //! On hardware the two buses are `Mmio` at the addresses of the chip, and that is all that changes.
 #![allow(dead_code, reason = "each example uses what it needs")]
 
+pub mod dspic33_canfd;
+
 use can_hal::{
     ExtendedId, Frame, Id, Polls, Region, StandardId,
     m_can::{Can, Config, DataFieldSize},
