@@ -170,14 +170,13 @@ fn tables_5_3_to_5_5_bit_timing() {
     let can = bench.configured(&PLAN, &Config::new(DsPic33CanFdTiming::of(&timing).unwrap()).with_fd());
     let regs = can.registers();
     assert_eq!((regs.read_nbtcfg(), regs.read_dbtcfg(), regs.read_tdc()), (0x007E_1F1F, 0x001E_0707, 0x0002_1F00));
-    let can = can.start_normal(MODE).unwrap();
+    let _ = can.start_normal(MODE).unwrap();
     let node = bench.sim.node(bench.id);
     let (nominal, data) = bench.sim.with_wire(|wire| {
         let config = wire.config(node);
         (config.nominal.bit_rate(config.clock_hz), config.data.bit_rate(config.clock_hz))
     });
     assert_eq!((nominal, data), (500_000, 2_000_000));
-    drop(can);
     bench.finish();
 }
 
@@ -203,7 +202,7 @@ fn table_10_1_memory_layout() {
 #[test]
 fn a_second_plan() {
     let bench = Bench::new();
-    drop(bench.running(&CONFIG));
+    let _ = bench.running(&CONFIG);
     let plan = MEMORY.fifo(6, rx(2, PayloadSize::Bytes8, false)).plan().unwrap();
     let can = bench.configured(&plan, &CONFIG.with_filters(&[Filter::any(6)])).start_normal(MODE).unwrap();
     let regs = can.registers();

@@ -90,7 +90,6 @@ fn section_8_2_4_twelve_bit_identifiers() {
     assert_eq!(can.fetch().unwrap().unwrap().frame, odd);
     assert_eq!(can.fetch(), Ok(None));
     // And sent.
-    let mut can = can;
     can.send_fifo(3, &odd, Default::default()).unwrap();
     bench.sim.run_for(crate::bench::FRAME);
     assert_eq!(bench.sim.peer_received(peer)[0].1, odd);
