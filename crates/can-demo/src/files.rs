@@ -30,7 +30,8 @@ pub fn write(story: &Story, folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let failed = |error| Error::File { path: folder.to_owned(), error };
     fs::create_dir_all(folder).map_err(failed)?;
     let report = html::report(story)?;
-    let contents = [(REPORT, Ok(report.into_bytes())), (VCD, vcd(story)), (PCAPNG, pcapng(story)), (CANDUMP, candump(story))];
+    let contents =
+        [(REPORT, Ok(report.into_bytes())), (VCD, vcd(story)), (PCAPNG, pcapng(story)), (CANDUMP, candump(story))];
     let mut paths = Vec::new();
     for (name, content) in contents {
         let path = folder.join(name);

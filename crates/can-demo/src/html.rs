@@ -120,8 +120,7 @@ fn line(story: &Story, moment: &moments::Moment) -> Value {
 fn facts(story: &Story) -> Value {
     let attempts = story.attempts();
     let lost = attempts.iter().find(|attempt| matches!(attempt.fate, Fate::Lost(_)));
-    let failures: Vec<&Attempt> =
-        attempts.iter().filter(|attempt| matches!(attempt.fate, Fate::Failed(_))).collect();
+    let failures: Vec<&Attempt> = attempts.iter().filter(|attempt| matches!(attempt.fate, Fate::Failed(_))).collect();
     let winner = lost.and_then(|lost| {
         attempts.iter().find(|other| other.node != lost.node && other.from < lost.until && other.until > lost.until)
     });
@@ -139,7 +138,8 @@ fn facts(story: &Story) -> Value {
     let meanwhile = attempts.iter().filter(|attempt| {
         attempt.node == PANEL && attempt.from > off && attempt.until < back && matches!(attempt.fate, Fate::Sent(_))
     });
-    let between = attempts.iter().find(|attempt| attempt.node == PANEL && attempt.from > passive && attempt.until < off);
+    let between =
+        attempts.iter().find(|attempt| attempt.node == PANEL && attempt.from > passive && attempt.until < off);
     let sequences = story.events(MOTOR).filter(|event| event.time <= back).filter_map(|event| match event.kind {
         can_wire::EventKind::RecoverySequence { count } => Some(count),
         _ => None,
@@ -248,7 +248,8 @@ fn entry(story: &Story, step: &Step) -> Value {
         name => story.nodes[step.node].name,
         text,
         kind,
-        accesses => step.records.iter().map(access).collect::<Vec<_>>(),
+        count => step.records.len(),
+        accesses => step.records.chunk_by(is_same).map(access).collect::<Vec<_>>(),
     }
 }
 
@@ -271,7 +272,14 @@ fn seen(status: &Status) -> String {
     format!("{error}{state}, TEC {}, REC {}", status.counters.transmit, status.counters.receive)
 }
 
-fn access(record: &AccessRecord) -> Value {
+/// One poll after the other sees the same.
+fn is_same(one: &AccessRecord, other: &AccessRecord) -> bool {
+    !one.write && !other.write && (one.offset, one.width, one.value) == (other.offset, other.width, other.value)
+}
+
+/// Equal accesses in a row of the table.
+fn access(records: &[AccessRecord]) -> Value {
+    let [record, ..] = records else { return context! {} };
     let digits = usize::from(record.width.0) / 4;
     let (register, fields): (String, Vec<Value>) = match &record.register {
         Some(register) => {
@@ -285,6 +293,7 @@ fn access(record: &AccessRecord) -> Value {
     context! {
         time => format!("{:.1}", record.time.as_ns() as f64 / 1_000.0),
         write => record.write,
+        times => records.len(),
         register,
         offset => format!("{:#05x}", record.offset),
         value => format!("{:#0width$x}", record.value, width = digits + 2),

@@ -243,7 +243,12 @@ impl Picture<'_> {
             Doing::BusOff => return self.bus_off(out, node, span, top),
         };
         let (x0, x1) = (self.x(span.from), self.x(span.until));
-        let says = format!("{}: {says}, {} to {}", self.story.nodes[node].name, milliseconds(span.from), milliseconds(span.until));
+        let says = format!(
+            "{}: {says}, {} to {}",
+            self.story.nodes[node].name,
+            milliseconds(span.from),
+            milliseconds(span.until)
+        );
         write!(
             out,
             "<g><title>{says}</title><rect class=\"{class}\" x=\"{x0:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{BOX}\"/>",
@@ -286,9 +291,7 @@ impl Picture<'_> {
     /// The attempt that a span belongs to: the node's own where it sends, else the one that fills the bus meanwhile.
     fn attempt_at(&self, node: usize, span: &Span) -> Option<&Attempt> {
         let own = span.doing == Doing::Sends;
-        let overlap = |attempt: &&Attempt| {
-            attempt.until.min(span.until).since(attempt.from.max(span.from)).as_ps()
-        };
+        let overlap = |attempt: &&Attempt| attempt.until.min(span.until).since(attempt.from.max(span.from)).as_ps();
         let candidates = self.attempts.iter().filter(|attempt| match attempt.fate {
             _ if own => attempt.node == node,
             Fate::Lost(_) => false,

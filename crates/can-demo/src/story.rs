@@ -2,10 +2,12 @@
 
 use std::{ops::Range, path::PathBuf};
 
-use can_hal::{Events, Status, timing::BitTiming};
 use can_frame::Frame;
+use can_hal::{Events, Status, timing::BitTiming};
 use can_sim::AccessRecord;
-use can_wire::{BitRecord, BusError, ErrorState, Event, EventKind, Field, NodeId, Position, Role, Time, output::Recording};
+use can_wire::{
+    BitRecord, BusError, ErrorState, Event, EventKind, Field, NodeId, Position, Role, Time, output::Recording,
+};
 
 /// Bits of a base identifier.
 const BASE_ID_BITS: u32 = 11;
@@ -349,7 +351,10 @@ impl Story {
         let states = self.states(node);
         let ends = states.iter().skip(1).map(|(time, _)| *time).chain([self.end]);
         let periods = states.iter().zip(ends);
-        periods.filter(|((_, state), _)| *state == ErrorState::BusOff).map(|((from, _), until)| (*from, until)).collect()
+        periods
+            .filter(|((_, state), _)| *state == ErrorState::BusOff)
+            .map(|((from, _), until)| (*from, until))
+            .collect()
     }
 
     /// The bits that a fault has hit, from its injection to its end.

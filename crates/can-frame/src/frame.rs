@@ -263,6 +263,13 @@ impl fmt::Debug for Frame {
     }
 }
 
+#[cfg(feature = "defmt")]
+impl defmt::Format for Frame {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{}", defmt::Display2Format(self));
+    }
+}
+
 /// The classic part of a frame for drivers written against `embedded-can`, which knows no FD frames: `new` and
 /// `new_remote` make classic frames, the accessors work for all.
 impl embedded_can::Frame for Frame {

@@ -60,6 +60,16 @@ pub fn run() -> Result<Vec<(&'static str, Vec<Frame>)>> {
         let can = board::configured(&sim, "can0", &can_hal::m_can::Config::new(board::TIMING))?;
         echoed.push(("M_CAN", echo_on(&sim, can)?));
     }
+    {
+        let sim = Sim::new();
+        let can = board::ecan(&sim, "can0")?;
+        echoed.push(("ECAN", echo_on(&sim, can)?));
+    }
+    {
+        let sim = Sim::new();
+        let can = board::pic32_can(&sim, "can0")?;
+        echoed.push(("PIC32MX CAN", echo_on(&sim, can)?));
+    }
     Ok(echoed)
 }
 

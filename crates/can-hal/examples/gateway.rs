@@ -8,7 +8,7 @@
 mod board;
 
 use board::{MODE, Result, TIMING, or_error};
-use can_hal::{Frame, Id, SendError, Transmit, m_can::Config};
+use can_hal::{Configured, Frame, Id, SendError, Transmit, m_can::Config};
 use can_sim::{Sim, Time};
 use can_wire::NodeConfig;
 
@@ -108,9 +108,9 @@ pub struct Moved {
 }
 
 /// Runs a gateway between two buses.
-fn run_with<F: Transmit, C: Transmit>(sim: &Sim, slow: can_sim::BusId, mut gateway: Gateway<F, C>) -> Result<Moved> {
-    let fast_node = sim.add_peer(NodeConfig::new())?;
-    let slow_node = sim.add_peer_on(slow, NodeConfig::new())?;
+fn run_with<F: Transmit, C: Transmit>(sim: &Sim, fast: can_sim::BusId, mut gateway: Gateway<F, C>) -> Result<Moved> {
+    let fast_node = sim.add_peer_on(fast, NodeConfig::new())?;
+    let slow_node = sim.add_peer(NodeConfig::new())?;
     sim.run_for(Time::from_us(200));
 
     let texts = [
@@ -145,16 +145,15 @@ fn run_with<F: Transmit, C: Transmit>(sim: &Sim, slow: can_sim::BusId, mut gatew
     })
 }
 
-/// M_CAN with FD frames on one bus, M_CAN with classic frames on the other.
+/// M_CAN with FD frames on one bus, PIC32MX CAN with classic frames on the other.
 pub fn run() -> Result<Moved> {
     let sim = Sim::new();
-    let slow = sim.add_bus();
-    let mut fast = board::m_can(&sim, "fast")?;
+    let fast_bus = sim.add_bus();
+    let mut fast = board::m_can_on(&sim, fast_bus, "fast")?;
     fast.configure(&Config::new(TIMING).with_fd())?;
-    let mut classic = board::m_can_on(&sim, slow, "classic")?;
-    classic.configure(&Config::new(TIMING))?;
-    let gateway = Gateway::new(or_error(fast.start_normal(MODE))?, or_error(classic.start_normal(MODE))?);
-    run_with(&sim, slow, gateway)
+    let classic = board::pic32_can(&sim, "classic")?;
+    let gateway = Gateway::new(or_error(fast.start_normal(MODE))?, or_error(classic.start(MODE))?);
+    run_with(&sim, fast_bus, gateway)
 }
 
 fn main() -> Result<()> {

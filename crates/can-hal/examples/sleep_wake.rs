@@ -46,6 +46,16 @@ pub fn run() -> Result<Vec<(&'static str, Vec<String>)>> {
         let can = board::configured(&sim, "can0", &Config::new(TIMING))?;
         lives.push(("M_CAN", live(&sim, can)?));
     }
+    {
+        let sim = Sim::new();
+        let can = board::ecan(&sim, "can0")?;
+        lives.push(("ECAN", live(&sim, can)?));
+    }
+    {
+        let sim = Sim::new();
+        let can = board::pic32_can(&sim, "can0")?;
+        lives.push(("PIC32MX CAN", live(&sim, can)?));
+    }
     Ok(lives)
 }
 

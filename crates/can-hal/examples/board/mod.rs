@@ -3,6 +3,9 @@
 //! On hardware the two buses are `Mmio` at the addresses of the chip, and that is all that changes.
 #![allow(dead_code, reason = "each example uses what it needs")]
 
+mod ecan;
+mod pic32_can;
+
 use can_hal::{
     ExtendedId, Frame, Id, Polls, Region, StandardId,
     m_can::{Can, Config, DataFieldSize},
@@ -14,6 +17,11 @@ use can_sim::{
     BusId, Memory, MemoryBus, RegisterBus, Sim, Time,
     m_can::{MCanConfig, MCanModel},
 };
+
+#[allow(unused_imports, reason = "each example uses what it needs")]
+pub use ecan::ecan;
+#[allow(unused_imports, reason = "each example uses what it needs")]
+pub use pic32_can::pic32_can;
 
 pub type Result<T> = core::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -40,8 +48,8 @@ pub const PLAN: MCanPlan = MCanMemory::new(RAM_WORDS as u32 * 4)
     .tx_buffers(2, 16, DataFieldSize::Bytes64)
     .fixed();
 
-/// How often a register is read while a mode changes.
-pub const MODE: Polls = Polls(1_000);
+/// How often a register is read while a mode changes. Some controllers wait for the bus meanwhile.
+pub const MODE: Polls = Polls(5_000);
 
 /// Adds an M_CAN to the simulation and brings it to configuration mode.
 pub fn m_can<'a>(sim: &'a Sim, name: &str) -> Result<MCan<'a, Configuration>> {

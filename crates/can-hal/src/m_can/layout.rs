@@ -32,6 +32,7 @@ impl Section {
         self.offset as usize + self.element as usize * index as usize
     }
 
+    #[inline(never)]
     fn new(placed: Placed, address: u32, bytes: u32) -> Result<Self, ConfigError> {
         let element = placed.element_bytes as u8;
         if placed.elements == 0 {

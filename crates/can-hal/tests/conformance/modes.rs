@@ -59,7 +59,9 @@ pub fn what_does_not_happen_in_time_is_refused<B: Bench>() {
     let before = sim.accesses();
     let Err(refused) = can.sleep(Polls(50)) else { panic!("it sleeps with a pending frame") };
     assert_eq!(refused.error, TimedOut);
-    assert!(sim.accesses() - before < 100, "the wait is bounded");
+    // A poll may look at several registers: every place from which a frame may be sent.
+    let accesses = sim.accesses() - before;
+    assert!((50..50 * 10).contains(&accesses), "the wait is bounded: {accesses} accesses");
     let mut can = refused.can;
     assert_eq!(can.outcome(ticket), Outcome::Pending);
     assert_eq!(can.wait_for(ticket, Polls(10)), Err(TimedOut));

@@ -266,6 +266,10 @@ impl MCanModel {
     pub(super) fn request_done(&mut self, cx: &mut Context<'_>, bit: u32, cancelled: bool) {
         self.clear_bits(self.r.txbrp, bit);
         self.clear_bits(self.r.txbcr, bit);
+        // 3.5: what was preloaded belongs to this request; the next one for the same buffer is another message.
+        for preloaded in &mut self.tx.preloaded {
+            preloaded.take_if(|(buffer, _)| bit >> *buffer & 1 == 1);
+        }
         if cancelled {
             self.set_bits(self.r.txbcf, bit);
             self.raise_for_buffer(cx, Ir::TCF, self.regs.get(self.r.txbcie) & bit != 0);

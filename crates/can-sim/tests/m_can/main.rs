@@ -4,9 +4,11 @@
 mod bench;
 mod choices;
 mod counters;
+mod details;
 mod exchange;
 mod fd;
 mod fuzz;
+mod interruption;
 mod interrupts;
 mod known_bugs;
 mod laws;
