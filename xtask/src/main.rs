@@ -8,7 +8,9 @@ mod diff;
 mod dump;
 mod project;
 mod report;
+mod tool;
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -72,6 +74,20 @@ enum Command {
     Schema,
     /// Writes the HTML reference to target/reference/ and the language reference to docs/.
     Docs,
+    /// Finds a bit timing: registers, errors, tolerance, alternatives and a picture; bit-timing --help lists the options.
+    #[command(disable_help_flag = true)]
+    BitTiming {
+        /// For the program that computes.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
+    /// Plans message memory and draws the map; memory --help lists the options.
+    #[command(disable_help_flag = true)]
+    Memory {
+        /// For the program that computes.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -92,13 +108,15 @@ fn main() -> ExitCode {
         Command::Demo { out } => demo::run(out),
         Command::Schema => codegen::schema(),
         Command::Docs => codegen::docs(),
+        Command::BitTiming { arguments } => return handed_on(tool::run("bit-timing", &arguments)),
+        Command::Memory { arguments } => return handed_on(tool::run("memory", &arguments)),
     };
-    match outcome {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(error) => {
-            report::error(&error);
-            ExitCode::from(2)
-        }
-    }
+    handed_on(outcome.map(|good| if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }))
+}
+
+fn handed_on(outcome: Result<ExitCode, String>) -> ExitCode {
+    outcome.unwrap_or_else(|error| {
+        report::error(&error);
+        ExitCode::from(2)
+    })
 }

@@ -72,10 +72,8 @@ impl Dlc {
     #[must_use]
     #[inline]
     pub const fn fd_len(self) -> usize {
-        // Mask and bound never act; they tell the compiler what it cannot know, so that no check is left where data of
-        // this length is copied.
-        let len = FD_LENGTHS[(self.0 & 0xF) as usize] as usize;
-        if len > FD_MAX_LEN { FD_MAX_LEN } else { len }
+        // The mask never acts; it tells the compiler what it cannot know, so that no check is left.
+        FD_LENGTHS[(self.0 & 0xF) as usize] as usize
     }
 }
 

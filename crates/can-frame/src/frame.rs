@@ -112,7 +112,10 @@ impl Frame {
     pub fn read_with(id: Id, format: Format, dlc: Dlc, read: impl FnOnce(&mut [u8])) -> Frame {
         let mut frame = Frame { id, format, dlc, rrs: false, bytes: [0; FD_MAX_LEN] };
         let len = frame.len();
-        read(&mut frame.bytes[..len]);
+        // Always there; asked for in a way that cannot panic.
+        if let Some(data) = frame.bytes.get_mut(..len) {
+            read(data);
+        }
         frame
     }
 
@@ -144,7 +147,8 @@ impl Frame {
     #[inline]
     #[must_use]
     pub fn data_bytes(&self) -> &[u8] {
-        &self.bytes[..self.len()]
+        // Always there; asked for in a way that cannot panic.
+        self.bytes.get(..self.len()).unwrap_or(&self.bytes)
     }
 
     /// Number of data bytes: 0 to 8, or 0 to 64 for an FD frame; 0 for a remote frame.
@@ -256,6 +260,13 @@ impl hash::Hash for Frame {
 impl fmt::Debug for Frame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Frame({self})")
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Frame {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{}", defmt::Display2Format(self));
     }
 }
 

@@ -8,6 +8,7 @@ use crate::{Deadline, Events, Overflow, Refused, SendError, Status, TimedOut};
 
 /// What a controller can do. What it cannot do is said here and not left to be found out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Capabilities {
     /// Sends and receives FD frames.
     pub fd: bool,
@@ -37,6 +38,7 @@ pub struct Capabilities {
 
 /// A message from a FIFO or buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Received {
     /// The frame.
     pub frame: Frame,

@@ -27,6 +27,9 @@ impl Core {
     pub(crate) fn read_register(&mut self, index: usize, offset: u32, width: Bits) -> u32 {
         let mut touched = None;
         let value = self.access(index, offset, width, false, |core, touch| {
+            if touch.alias.is_some() {
+                return core.read_alias(index, touch);
+            }
             let access = core.with_model(index, |model, cx| {
                 model.before_read(cx, touch.slot);
                 let access = model.registers_mut().read(touch.slot, touch.lanes);
@@ -38,6 +41,19 @@ impl Core {
         });
         self.record(index, offset, width, value, touched, false);
         value
+    }
+
+    /// The value of an alias register is not to be used: it is that of the base register, without the effects of a read
+    /// (alias_read_value).
+    fn read_alias(&mut self, index: usize, touch: &Touch) -> u32 {
+        let value = self.with_model(index, |model, cx| {
+            model.before_read(cx, touch.slot);
+            let register = model.registers().name(touch.slot);
+            let because = "an alias register holds no value of its own";
+            cx.report(model.section(Rule::Addresses), DiagnosticKind::InvalidRead { register, because });
+            model.registers().peek(touch.slot)
+        });
+        (value & touch.lanes) >> touch.in_register << touch.in_value
     }
 
     pub(crate) fn write_register(&mut self, index: usize, offset: u32, width: Bits, value: u32) {
@@ -69,7 +85,7 @@ impl Core {
         write: bool,
         mut touch: impl FnMut(&mut Self, &Touch) -> u32,
     ) -> u32 {
-        let legal = self.entries[index].model.registers().meta().access_widths.contains(&width.0);
+        let legal = self.entries[index].model.registers().access_widths().contains(&width.0);
         if !legal || !offset.is_multiple_of(width.bytes()) {
             self.report_address(index, DiagnosticKind::IllegalAccess { offset, width: width.0, write });
             return 0;

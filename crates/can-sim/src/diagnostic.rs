@@ -263,6 +263,57 @@ pub enum DiagnosticKind {
         /// The flags.
         fields: Vec<&'static str>,
     },
+    /// A register that this device does not have.
+    NotImplemented {
+        /// The register.
+        register: String,
+        /// True for a write.
+        write: bool,
+    },
+    /// A write that the controller ignores.
+    WriteIgnored {
+        /// The register.
+        register: String,
+        /// The field.
+        field: &'static str,
+        /// Why it is ignored.
+        because: &'static str,
+    },
+    /// A read whose value means nothing.
+    InvalidRead {
+        /// The register.
+        register: String,
+        /// Why.
+        because: &'static str,
+    },
+    /// The software's side of a FIFO was advanced although there is nothing to advance over.
+    FifoLimit {
+        /// The FIFO.
+        fifo: u32,
+        /// True for a full transmit FIFO, false for an empty receive FIFO.
+        full: bool,
+    },
+    /// An address that is not physical was given to a controller that needs a physical one.
+    AddressNotPhysical {
+        /// The register.
+        register: &'static str,
+        /// The address.
+        address: u32,
+    },
+    /// A message was put into a transmit FIFO, but nothing was ever written to its buffer.
+    BufferNotWritten {
+        /// The FIFO.
+        fifo: u32,
+        /// Address of the buffer.
+        address: u32,
+    },
+    /// Software has written to a received message that it has not taken from its FIFO yet.
+    ReceivedMessageModified {
+        /// The FIFO.
+        fifo: u32,
+        /// Address of the word.
+        address: u32,
+    },
     /// An interrupt handler was entered again and again because the line stayed active.
     InterruptStorm {
         /// The line, counted from 0.
@@ -342,6 +393,24 @@ impl fmt::Display for DiagnosticKind {
             }
             Self::InterruptUnheard { register, fields } => {
                 write!(f, "{register}: {} enabled, but routed to a disabled line", fields.join(", "))
+            }
+            Self::NotImplemented { register, write } => {
+                write!(f, "{} {register}, which this device does not have", verb(write))
+            }
+            Self::WriteIgnored { register, field, because } => {
+                write!(f, "write to {register}.{field} ignored: {because}")
+            }
+            Self::InvalidRead { register, because } => write!(f, "read of {register}: {because}"),
+            Self::FifoLimit { fifo, full: true } => write!(f, "transmit FIFO {fifo} was advanced although it is full"),
+            Self::FifoLimit { fifo, full: false } => write!(f, "receive FIFO {fifo} was advanced although it is empty"),
+            Self::AddressNotPhysical { register, address } => {
+                write!(f, "{register} holds {address:#x}, which is no physical address")
+            }
+            Self::BufferNotWritten { fifo, address } => {
+                write!(f, "the buffer at {address:#x} goes into FIFO {fifo}, but no message was ever written to it")
+            }
+            Self::ReceivedMessageModified { fifo, address } => {
+                write!(f, "byte {address:#x} of a message waiting in receive FIFO {fifo} was written")
             }
             Self::InterruptStorm { line, entries } => {
                 write!(f, "the handler of line {line} ran {entries} times and the line is still active")

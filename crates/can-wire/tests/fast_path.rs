@@ -237,3 +237,23 @@ fn runs_that_once_differed() {
         }
     }
 }
+
+/// Once a run has reached its limit, everything that is due at the limit has happened, also an edge at just that time,
+/// whatever path led there.
+#[test]
+fn a_limit_on_a_bit_boundary() {
+    let level_at = |offset: Time, fast: bool| {
+        let mut wire = Wire::new();
+        wire.set_fast_path(fast);
+        let [sender, receiver] = [0, 1].map(|_| wire.add_node(NodeConfig::new()).unwrap());
+        for node in [sender, receiver] {
+            wire.set_mode(node, Mode::Normal);
+        }
+        wire.run_until(Time::from_us(20), |_, _| {});
+        wire.send(sender, "123#55".parse().unwrap()).unwrap();
+        wire.run_until(Time::from_us(20) + offset, |_, _| {});
+        wire.rx_level(receiver)
+    };
+    let levels = |fast| (0..600).map(|step| level_at(Time::from_ns(100 * step), fast)).collect::<Vec<_>>();
+    assert_eq!(levels(true), levels(false));
+}

@@ -806,6 +806,30 @@ pub mod manual_notes {
     //!
     //! Alternatives: It leaves the bus at once.
     //!
+    //! ## `mode_entry`
+    //!
+    //! When does OPMOD show a mode that takes part in the traffic, coming from Configuration or Disable mode?
+    //!
+    //! About [`CON.REQOP`](crate::registers::Con::reqop), [`CON.OPMOD`](crate::registers::Con::opmod).
+    //!
+    //! Nearest words: Mode changes are made in step with the network.
+    //!
+    //! Choice: When the module has seen 11 recessive bits, which CAN asks of a node before it takes part. A node that joins in the middle of a message would disturb it.
+    //!
+    //! Alternatives: At once.
+    //!
+    //! ## `reset_duration`
+    //!
+    //! How long do switching off and the reset of a FIFO take?
+    //!
+    //! About [`CON.CANBUSY`](crate::registers::Con::canbusy), [`FIFOCON.FRESET`](crate::registers::FifoCon::freset).
+    //!
+    //! Nearest words: A number of clocks; software has to poll CANBUSY and FRESET.
+    //!
+    //! Choice: 10 system clocks.
+    //!
+    //! Alternatives: Any other number.
+    //!
     //! ## `canbusy_while_idle`
     //!
     //! What does CANBUSY show with ON = 1 while nothing happens on the bus?
@@ -853,6 +877,18 @@ pub mod manual_notes {
     //! Choice: They are cleared. The exception made for Disable mode says it indirectly.
     //!
     //! Alternatives: Only a device reset clears them.
+    //!
+    //! ## `timer_in_disable_mode`
+    //!
+    //! Does the time stamp timer run in Disable mode?
+    //!
+    //! About [`TMR.CANTS`](crate::registers::Tmr::cants), [`CON.OPMOD`](crate::registers::Con::opmod).
+    //!
+    //! Nearest words: The internal clock of the module stops; of the timer only CANCAP is said to freeze it.
+    //!
+    //! Choice: It stands still.
+    //!
+    //! Alternatives: It runs on.
     //!
     //! ## `narrow_access`
     //!
@@ -1174,9 +1210,9 @@ pub mod manual_notes {
     //!
     //! Nearest words: The buffer contains the data received up to the error; the time stamp is taken after the end of frame of a valid message.
     //!
-    //! Choice: What was not received is 0, and the time stamp is the time of the error. IVRIF is set as in other modes.
+    //! Choice: Nothing is stored if the error occurs before the length is complete. Afterwards what was not received is 0, and the time stamp is the time of the error. IVRIF is set as in other modes. A filter can decide only on a complete identifier, and a buffer is only of use with a length.
     //!
-    //! Alternatives: The memory keeps what it held. Nothing is stored if the error occurs before the identifier is complete.
+    //! Alternatives: The memory keeps what it held. A message without a length is stored too.
     //!
     //! ## `time_stamp_without_capture`
     //!

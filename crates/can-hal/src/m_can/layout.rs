@@ -32,14 +32,14 @@ impl Section {
         self.offset as usize + self.element as usize * index as usize
     }
 
-    fn new<M: Bus>(placed: Placed, region: &Region<M>) -> Result<Self, ConfigError> {
+    #[inline(never)]
+    fn new(placed: Placed, address: u32, bytes: u32) -> Result<Self, ConfigError> {
         let element = placed.element_bytes as u8;
         if placed.elements == 0 {
             return Ok(Self { word: 0, offset: 0, element, count: 0 });
         }
-        let end = u64::from(region.address()) + u64::from(region.bytes());
-        match placed.start.checked_sub(region.address()) {
-            Some(offset) if placed.end() <= end => {
+        match placed.start.checked_sub(address) {
+            Some(offset) if offset <= bytes && placed.bytes() <= bytes - offset => {
                 let (word, offset) = ((placed.start / 4) as u16, offset as u16);
                 Ok(Self { word, offset, element, count: placed.elements as u8 })
             }
@@ -71,13 +71,14 @@ pub(super) struct Layout {
 
 impl Layout {
     pub(super) fn new<M: Bus>(plan: &MCanPlan, region: &Region<M>) -> Result<Self, ConfigError> {
-        let tx_buffers = Section::new(plan.tx_buffers(), region)?;
+        let section = |placed| Section::new(placed, region.address(), region.bytes());
+        let tx_buffers = section(plan.tx_buffers())?;
         Ok(Self {
-            standard_filters: Section::new(plan.standard_filters(), region)?,
-            extended_filters: Section::new(plan.extended_filters(), region)?,
-            rx_fifos: [Section::new(plan.rx_fifo_0(), region)?, Section::new(plan.rx_fifo_1(), region)?],
-            rx_buffers: Section::new(plan.rx_buffers(), region)?,
-            tx_events: Section::new(plan.tx_event_fifo(), region)?,
+            standard_filters: section(plan.standard_filters())?,
+            extended_filters: section(plan.extended_filters())?,
+            rx_fifos: [section(plan.rx_fifo_0())?, section(plan.rx_fifo_1())?],
+            rx_buffers: section(plan.rx_buffers())?,
+            tx_events: section(plan.tx_event_fifo())?,
             tx_buffers,
             dedicated: plan.txbc.ndtb().min(tx_buffers.count),
         })

@@ -98,6 +98,8 @@ struct Inner<R: Bus, M: Bus> {
     cccr: pac::Cccr,
     /// Buffers whose cancellation was requested and not asked for yet.
     cancelled: u32,
+    /// Buffers whose request was made and not yet seen.
+    unseen: u32,
     /// The put index of the last request, and the get indices last acknowledged: until the other clock domain has taken
     /// them over, the status still shows them (2.2).
     put: Option<u8>,
@@ -107,7 +109,7 @@ struct Inner<R: Bus, M: Bus> {
 
 /// How often a status that a command must have changed is read again. Clock domain crossing takes a few periods of the
 /// CAN clock (2.2), a read of a register about as long.
-const SETTLE: u32 = 8;
+const SETTLE: u32 = 16;
 
 impl<R: Bus, M: Bus> Can<Configuration, R, M> {
     /// Takes an M_CAN and its part of the Message RAM, and brings it to configuration mode (3.1.1). A node that is on the
@@ -135,6 +137,7 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
             layout,
             cccr: pac::Cccr::ZERO,
             cancelled: 0,
+            unseen: 0,
             put: None,
             acknowledged: [None; 2],
             blocking_polls: Config::BLOCKING_POLLS,

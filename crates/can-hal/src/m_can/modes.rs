@@ -46,6 +46,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     /// 3.1.1: setting CCE has reset FIFOs and requests.
     const fn forget(&mut self) {
         self.cancelled = 0;
+        self.unseen = 0;
         self.put = None;
         self.acknowledged = [None; 2];
     }

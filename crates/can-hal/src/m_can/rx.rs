@@ -63,6 +63,7 @@ pub enum RxTimestamp {
 
 /// A received message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RxMessage {
     /// The frame. Data bytes that had no room in the element are 0.
     pub frame: Frame,

@@ -15,6 +15,7 @@ use crate::{
 
 /// One look at PSR and ECR.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ProtocolStatus {
     /// What all controllers have.
     pub status: Status,

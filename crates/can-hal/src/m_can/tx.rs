@@ -109,6 +109,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     #[inline]
     fn request(&mut self, buffers: u32) {
         self.cancelled &= !buffers;
+        self.unseen |= buffers;
         self.regs.txbar().request(pac::Txbar::from_bits(buffers));
     }
 
@@ -118,28 +119,38 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         TxQueueStatus { full: s.tfqf(), put: s.tfqpi(), get: s.tfgi(), free: s.tffl() }
     }
 
-    /// 2.3.36: TXFQS follows the pending requests, which follow TXBAR after a delay or at the end of a Tx scan. As long as
-    /// the put index is that of the last request, and that request is not known to be done, the element is not free.
+    /// 2.3.36: TXFQS follows the pending requests, which follow TXBAR after a delay or at the end of a Tx scan. While the
+    /// put index is that of the last request and that request is pending, the element is not free.
     #[inline]
     fn settled_queue_status(&mut self) -> TxQueueStatus {
         let mut status = self.queue_status();
-        let Some(last) = self.put else { return status };
-        let mut left = SETTLE;
-        while !status.full && status.put == last && left > 0 {
-            if self.regs.txbrp().read().bits() >> (last % 32) & 1 == 0 && self.is_done(Ticket(last)) {
-                // A queue gives out the lowest free buffer, which can be the same again.
-                break;
-            }
+        if let Some(last) = self.put
+            && status.put == last
+            && !status.full
+        {
+            let pending = self.is_pending(Ticket(last));
             status = self.queue_status();
-            left -= 1;
+            // A queue gives out the lowest free buffer, which can be the same again once it is done.
+            status.full |= pending && status.put == last;
         }
-        status.full |= left == 0;
         status
     }
 
-    fn is_done(&self, ticket: Ticket) -> bool {
-        let done = self.regs.txbto().read().bits() | self.regs.txbcf().read().bits();
-        done & ticket.bit() != 0
+    /// 2.3.38, 2.3.39: the request is pending, or waits for the end of a Tx scan. A request that was never seen pending may
+    /// not have arrived in the other clock domain (2.2): it is looked for a few times more.
+    fn is_pending(&mut self, ticket: Ticket) -> bool {
+        let bit = ticket.bit();
+        let mut left = if self.unseen & bit != 0 { SETTLE } else { 0 };
+        self.unseen &= !bit;
+        loop {
+            if (self.regs.txbar().read().bits() | self.regs.txbrp().read().bits()) & bit != 0 {
+                return true;
+            }
+            if left == 0 {
+                return false;
+            }
+            left -= 1;
+        }
     }
 
     /// 3.5.3, 3.5.4
@@ -171,7 +182,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         }
         self.carries(frame, options)?;
         let ticket = Ticket(buffer);
-        if (self.regs.txbar().read().bits() | self.regs.txbrp().read().bits()) & ticket.bit() != 0 {
+        if self.is_pending(ticket) {
             return Err(SendError::Pending { buffer });
         }
         self.write_element(buffer, frame, options);
@@ -180,17 +191,14 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     }
 
     /// The first dedicated buffer without request.
-    pub(super) fn free_dedicated(&self) -> Option<u8> {
-        let pending = self.regs.txbar().read().bits() | self.regs.txbrp().read().bits();
-        let free = pending.trailing_ones() as u8;
-        (free < self.layout.dedicated).then_some(free)
+    pub(super) fn free_dedicated(&mut self) -> Option<u8> {
+        (0..self.layout.dedicated).find(|buffer| !self.is_pending(Ticket(*buffer)))
     }
 
     /// 2.3.38, 2.3.41, 2.3.42, 3.1.7
     pub(super) fn outcome(&mut self, ticket: Ticket) -> Outcome {
         let bit = ticket.bit();
-        let requested = self.regs.txbar().read().bits() | self.regs.txbrp().read().bits();
-        if requested & bit != 0 {
+        if self.is_pending(ticket) {
             return Outcome::Pending;
         }
         let sent = self.regs.txbto().read().bits() & bit != 0;
@@ -200,7 +208,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             (true, true) => Outcome::SentAnyway,
             (false, true) if self.cancelled & bit != 0 => Outcome::Cancelled,
             (false, true) => Outcome::Failed,
-            // The request has not arrived in the other clock domain (2.2), or nothing was requested since the start.
+            // Nothing was requested since the start.
             (false, false) => Outcome::Pending,
         }
     }
@@ -272,14 +280,14 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
     /// # Errors
     /// As for [`Can::send_buffer`].
     pub fn write_buffer(&mut self, buffer: u8, frame: &Frame, options: TxOptions) -> Result<Ticket, SendError> {
-        let inner = &self.inner;
+        let inner = &mut self.inner;
         let count = inner.layout.dedicated;
         if buffer >= count {
             return Err(SendError::NoSuchBuffer { buffer, count });
         }
         inner.carries(frame, options)?;
         let ticket = Ticket(buffer);
-        if inner.regs.txbrp().read().bits() & ticket.bit() != 0 {
+        if inner.is_pending(ticket) {
             return Err(SendError::Pending { buffer });
         }
         inner.write_element(buffer, frame, options);

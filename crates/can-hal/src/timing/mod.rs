@@ -38,6 +38,7 @@ mod error;
 mod limits;
 mod registers;
 mod request;
+mod search;
 mod solution;
 mod solver;
 mod tolerance;

@@ -54,6 +54,11 @@ pub trait Bench: Copy {
     fn set_up<'a>(self, sim: &'a Sim, setup: &Setup<'_>) -> Self::Can<'a>;
     /// Enables the interrupts of received messages, on line 0.
     fn enable_receive_interrupt(can: &mut <Self::Can<'_> as Configured>::Running);
+
+    /// The device around the controller goes to sleep after it, where that matters.
+    fn device_sleeps(self, _sim: &Sim) {}
+    /// The device around the controller runs again.
+    fn device_wakes(self, _sim: &Sim) {}
 }
 
 pub type Running<'a, B> = <<B as Bench>::Can<'a> as Configured>::Running;

@@ -45,7 +45,15 @@ impl Bench {
     }
 
     pub fn with(change: impl FnOnce(MCanConfig) -> MCanConfig) -> Self {
-        let sim = Sim::new();
+        Self::on(Sim::new(), change)
+    }
+
+    /// A host whose accesses are faster than the clock domain crossing of the controller (2.2).
+    pub fn with_fast_host(change: impl FnOnce(MCanConfig) -> MCanConfig) -> Self {
+        Self::on(Sim::builder().access_cost(Time::from_ns(10)).build(), change)
+    }
+
+    fn on(sim: Sim, change: impl FnOnce(MCanConfig) -> MCanConfig) -> Self {
         let ram = sim.add_memory(Memory::new(4352));
         let id = sim.add_m_can("can0", change(MCanConfig::new(ram))).unwrap();
         Self { sim, id, ram }
@@ -55,7 +63,7 @@ impl Bench {
     pub fn driver(&self, memory: &MCanMemory) -> Driver<'_, Configuration> {
         // SAFETY: nothing else uses this memory.
         let region = unsafe { Region::new(self.sim.memory(self.ram), 0, 4352 * 4) };
-        Can::new(self.sim.registers(self.id), region, &memory.plan().unwrap(), Polls(20)).unwrap()
+        Can::new(self.sim.registers(self.id), region, &memory.plan().unwrap(), Polls(200)).unwrap()
     }
 
     pub fn configured(&self, config: &Config<'_>) -> Driver<'_, Configuration> {

@@ -134,3 +134,18 @@ fn section_2_4_1_a_part_of_the_message_ram() {
         assert!(matches!(refused, Some(ConfigError::OutsideRegion(_))), "{refused:?}");
     }
 }
+
+/// 2.3.2: release 0.2.0 of 2009-03-26; 2.3.3: the endianness test value.
+#[test]
+fn sections_2_3_2_and_2_3_3_core_release_and_endianness() {
+    let bench = Bench::with(|mut config| {
+        config.core_release = 0x0209_0326;
+        config
+    });
+    let can = bench.driver(&MEMORY);
+    let release = can.registers().crel().read();
+    assert_eq!((release.rel(), release.step(), release.substep()), (0, 2, 0));
+    // Two decimal digits in four bits each; the year has one.
+    assert_eq!((release.year(), release.mon(), release.day()), (0x9, 0x03, 0x26));
+    assert_eq!(can.registers().endn().read().etv(), 0x8765_4321);
+}

@@ -45,6 +45,22 @@ fn section_3_4_2_rx_fifo() {
     bench.finish();
 }
 
+/// 2.2: the get index follows an acknowledge after a delay; a fast host does not read a message twice.
+#[test]
+fn section_2_2_no_message_is_read_twice() {
+    let bench = Bench::with_fast_host(|config| config);
+    let sender = bench.peer();
+    let can = bench.configured(&Config::new(TIMING));
+    let mut can = can.start_normal(can_hal::Polls(200)).unwrap();
+    bench.sim.run_for(FRAME);
+    for _ in 0..3 {
+        bench.send(sender, &["100#01", "101#02", "102#03", "103#", "104#"]);
+        let messages = drain(&mut can, RxFifo::Fifo0);
+        assert_eq!(texts(&messages), ["100#01", "101#02", "102#03", "103#", "104#"]);
+    }
+    bench.finish();
+}
+
 /// 3.4.2.1: a full FIFO discards, sets RF0L, and goes on after an acknowledge.
 #[test]
 fn section_3_4_2_1_blocking_mode() {

@@ -112,16 +112,13 @@ impl EcanModel {
     /// 9.3.1: RXFUL bits were cleared. `register` counts from 0.
     pub(super) fn buffers_released(&mut self, cx: &mut Context<'_>, register: usize, access: &WriteAccess) {
         let released = (access.old & !access.new) << (16 * register);
+        self.check_release_order(cx, released, access.old << (16 * register) | self.full());
         let (start, end) = self.fifo_area();
         let in_fifo = |buffer: &u8| (start..=end).contains(buffer);
         let follows = |buffer: &u8| in_fifo(buffer) || self.config.choices.fnrb_follows_every_buffer;
         let buffers = (0..MAX_BUFFERS as u8).filter(|buffer| released >> buffer & 1 == 1);
-        let taken = self.rx.taken_by_fifo & released;
-        self.rx.taken_by_fifo &= !released;
         // fnrb_several_released: the highest number counts.
         if let Some(last) = buffers.filter(follows).max() {
-            let full = access.old << (16 * register) | self.full();
-            self.check_release_order(cx, taken, full);
             let next = match in_fifo(&last) && last == end {
                 // fnrb_wrap.
                 true if self.config.choices.fnrb_wraps => start,
@@ -131,19 +128,18 @@ impl EcanModel {
         }
     }
 
-    /// 9.3.1: buffers that the FIFO has filled are to be released one after the other, beginning with FNRB.
-    fn check_release_order(&self, cx: &mut Context<'_>, released: u32, full: u32) {
-        let (_, read) = self.fifo_pointers();
-        let mut expected = read;
-        for buffer in (0..MAX_BUFFERS as u8).filter(|buffer| released >> buffer & 1 == 1) {
-            if buffer != expected {
-                let (start, end) = self.fifo_area();
-                let fill = (start..=end).filter(|buffer| full >> buffer & 1 == 1).count() as u32;
-                let (index, get) = (u32::from(buffer), u32::from(read));
-                cx.report("9.3.1", DiagnosticKind::AcknowledgeInvalid { register: "RXFUL", index, get, fill });
-                return;
-            }
-            expected = self.next_in_fifo(expected);
+    /// 9.3.1: buffers that the FIFO has filled are to be released one after the other, the oldest first.
+    fn check_release_order(&mut self, cx: &mut Context<'_>, released: u32, full: u32) {
+        let is_released = |buffer: &u8| released >> buffer & 1 == 1;
+        let count = self.rx.filled.iter().filter(|buffer| is_released(buffer)).count();
+        let wrong = self.rx.filled.iter().take(count).any(|buffer| !is_released(buffer));
+        if let (true, Some(oldest)) = (wrong, self.rx.filled.front().copied()) {
+            let (start, end) = self.fifo_area();
+            let fill = (start..=end).filter(|buffer| full >> buffer & 1 == 1).count() as u32;
+            let index = self.rx.filled.iter().find(|buffer| is_released(buffer)).map_or(0, |buffer| u32::from(*buffer));
+            let get = u32::from(oldest);
+            cx.report("9.3.1", DiagnosticKind::AcknowledgeInvalid { register: "RXFUL", index, get, fill });
         }
+        self.rx.filled.retain(|buffer| !is_released(buffer));
     }
 }

@@ -147,6 +147,7 @@ impl Model for EcanModel {
         self.watch_window(cx, access.slot);
         match self.n.role(access.slot) {
             Role::Ctrl1 => self.write_ctrl1(cx, access),
+            Role::Trcon(register) => self.write_trcon(cx, register, access),
             Role::Data => self.data_register_accessed(cx, access.slot),
             _ => {}
         }

@@ -1,5 +1,7 @@
 //! Reception: which buffer takes a message, and what becomes of it (9.1, 9.2, 8.3.2).
 
+use std::collections::VecDeque;
+
 use can_frame::Frame;
 use can_wire::{BusError, Role};
 use dspic33_ecan_pac::{
@@ -23,8 +25,8 @@ use crate::{
 pub(super) struct Rx {
     /// The FIFO pointers have been loaded.
     pub(super) fifo_started: bool,
-    /// Bit per buffer: the FIFO has filled it.
-    pub(super) taken_by_fifo: u32,
+    /// Full buffers that the FIFO has filled, oldest first.
+    pub(super) filled: VecDeque<u8>,
     /// The message that DMA is storing.
     storing: Option<Storing>,
     /// Data bytes in the message assembly buffer.
@@ -275,7 +277,7 @@ impl EcanModel {
         let slot = self.n.rxful[usize::from(buffer / 16)];
         self.regs.set(slot, self.regs.get(slot) | 1 << (buffer % 16));
         if fifo {
-            self.rx.taken_by_fifo |= 1 << buffer;
+            self.rx.filled.push_back(buffer);
             self.advance_fifo();
             if self.fifo_almost_full() {
                 self.raise(Intf::FIFOIF);

@@ -3,7 +3,7 @@
 
 use regbus::meta::Access;
 
-use super::{EcanModel, names::Role};
+use super::{EcanModel, modes::is_off, names::Role};
 use crate::{
     diagnostic::DiagnosticKind,
     model::Context,
@@ -35,6 +35,8 @@ impl EcanModel {
     pub(super) fn watch_stale_write(&mut self, cx: &mut Context<'_>, access: &WriteAccess, role: Role) {
         let Some(known) = self.known.get(access.slot) else { return };
         let bits = match role {
+            // Off the bus nothing rises unseen: what is cleared is meant.
+            _ if is_off(self.modes.now) => 0,
             Role::Trcon(_) => self.stale_control_bits(access, known),
             _ => self.stale_flags(access, known),
         };

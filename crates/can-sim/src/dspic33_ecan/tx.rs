@@ -50,6 +50,20 @@ impl EcanModel {
         self.regs.set_field(self.n.tx[usize::from(buffer)].txreq, u32::from(on));
     }
 
+    /// 8.2, abort_outcome: TXREQ of a message on the bus that is to be aborted stays 1 until it is known what becomes of
+    /// the frame.
+    pub(super) fn write_trcon(&mut self, cx: &Context<'_>, register: usize, access: &mut WriteAccess) {
+        self.settle(cx);
+        let Some(sending) = self.tx.sending.filter(|sending| usize::from(sending.buffer) / 2 == register) else {
+            return;
+        };
+        let request = self.n.tx[usize::from(sending.buffer)].txreq.bits();
+        if access.old & request != 0 && access.new & request == 0 {
+            access.new |= request;
+            self.tx.aborting |= 1 << sending.buffer;
+        }
+    }
+
     /// The host has written the control register of two buffers.
     pub(super) fn trcon_written(&mut self, cx: &mut Context<'_>, register: usize, access: &WriteAccess) {
         self.settle(cx);
@@ -81,11 +95,6 @@ impl EcanModel {
     fn requested(&mut self, cx: &mut Context<'_>, buffer: u8) {
         let bit = 1 << buffer;
         self.tx.not_served &= !bit;
-        let on_bus = self.tx.sending.is_some_and(|sending| sending.buffer == buffer);
-        if on_bus {
-            // An abort that has not taken effect is taken back.
-            self.tx.aborting &= !bit;
-        }
         let number = u32::from(buffer);
         if !self.is_transmit_buffer(buffer) {
             // 9.2.2, txreq_on_receive_buffer.

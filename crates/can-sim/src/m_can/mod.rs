@@ -174,7 +174,7 @@ impl Model for MCanModel {
             access.new = 0;
         } else if access.slot == self.r.tscv || access.slot == self.r.tocv {
             self.show_counters(cx);
-        } else if access.slot == self.r.tscc {
+        } else if access.slot == self.r.tscc && access.new != access.old {
             self.keep_counts(cx);
         }
     }

@@ -33,8 +33,10 @@ pub(super) struct Tx {
     pause: Option<Time>,
     /// When a running Tx scan ends.
     scan_end: Option<Time>,
-    /// Requests came in while a Tx scan was running.
+    /// TXBRP has changed while a Tx scan was running.
     scan_again: bool,
+    /// 2.3.38: buffers requested while a Tx scan was running, which the scan does not consider.
+    late: u32,
     /// The node was error passive when the transmission started.
     pub(super) passive_at_start: bool,
     /// The next start of a transmission meets a Message RAM failure.
@@ -99,6 +101,9 @@ impl MCanModel {
         self.clear_bits(self.r.txbcf, added);
         // In Bus Monitoring Mode TXBRP is held in reset, by the description (3.1.6).
         self.regs.set(self.r.txbrp, pending | added);
+        if self.tx.scan_end.is_some() {
+            self.tx.late |= added;
+        }
         self.fifo_requested(cx, added);
         self.scan(cx);
     }
@@ -153,7 +158,7 @@ impl MCanModel {
             let fifo = if self.tx.used > 0 { get } else { 0 };
             pending & (regbus::bits::mask(dedicated) | fifo)
         };
-        eligible & !started
+        eligible & !started & !self.tx.late
     }
 
     /// Hands a message to the core, in place of one that has not started.
@@ -261,6 +266,10 @@ impl MCanModel {
     pub(super) fn request_done(&mut self, cx: &mut Context<'_>, bit: u32, cancelled: bool) {
         self.clear_bits(self.r.txbrp, bit);
         self.clear_bits(self.r.txbcr, bit);
+        // 3.5: what was preloaded belongs to this request; the next one for the same buffer is another message.
+        for preloaded in &mut self.tx.preloaded {
+            preloaded.take_if(|(buffer, _)| bit >> *buffer & 1 == 1);
+        }
         if cancelled {
             self.set_bits(self.r.txbcf, bit);
             self.raise_for_buffer(cx, Ir::TCF, self.regs.get(self.r.txbcie) & bit != 0);
@@ -300,6 +309,7 @@ impl MCanModel {
         if self.tx.scan_end.is_some_and(|at| at <= cx.now) {
             self.tx.scan_end = None;
             self.finish_scan(cx);
+            self.tx.late = 0;
             if core::mem::take(&mut self.tx.scan_again) {
                 self.scan(cx);
             }

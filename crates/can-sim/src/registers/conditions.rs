@@ -27,13 +27,15 @@ impl RegisterFile {
 
     /// The lane or element of a field that an index means; `None` if there is none with that number.
     pub(super) fn numbered(&self, field: FieldRef, index: Index, own: Option<u32>) -> Option<FieldAt> {
-        let number = match index {
-            Index::Single => return Some(self.field_at(field)),
-            Index::Own => own?,
-            Index::Fixed(number) => number,
-        };
         let info = &self.meta.registers[field.register as usize];
         let of = self.field_info(field);
+        let number = match (index, info.cluster, own) {
+            // Without a number a field of a cluster is that of the element that asks.
+            (Index::Single, Some(_), Some(own)) => own,
+            (Index::Single, ..) => return Some(self.field_at(field)),
+            (Index::Own, ..) => own?,
+            (Index::Fixed(number), ..) => number,
+        };
         let (element, inner, lane) = if of.lanes > 1 {
             let index = number.checked_sub(u32::from(of.first_lane))?;
             (0, index / u32::from(of.lanes), index % u32::from(of.lanes))

@@ -1,6 +1,6 @@
 //! What states of the registers do to other registers.
 
-use regbus::meta::{Effect, FieldRef, Index};
+use regbus::meta::{Effect, Expr, FieldRef, Index};
 
 use super::{FieldAt, RegisterFile, Slot, conditions};
 
@@ -31,7 +31,7 @@ impl Effects {
         let mut effects = Self { touched: vec![Vec::new(); file.values.len()], ..Self::default() };
         for effect in file.meta.effects {
             let expr = &file.meta.conditions[effect.on as usize].expr;
-            for own in numbers(file, conditions::own_field(expr)) {
+            for own in numbers(file, conditions::own_field(expr).or_else(|| clustered(file, expr))) {
                 effects.add(file, effect, own);
             }
         }
@@ -58,6 +58,14 @@ impl Effects {
         }
         self.instances.push(Instance { effect, own });
     }
+}
+
+/// A field of a cluster in an expression: what it says is meant of every element by itself.
+fn clustered(file: &RegisterFile, expr: &Expr) -> Option<FieldRef> {
+    let mut found = Vec::new();
+    conditions::fields(expr, &mut found);
+    let of_cluster = |field: &FieldRef| file.meta.registers[field.register as usize].cluster.is_some();
+    found.into_iter().map(|(field, _)| field).find(of_cluster)
 }
 
 /// The numbers that a field with an own number can have.
@@ -154,12 +162,14 @@ impl RegisterFile {
     fn elements(&self, register: u16, own: Option<u32>) -> impl Iterator<Item = Slot> + use<> {
         let info = &self.meta.registers[register as usize];
         let first = self.first[register as usize];
-        let (from, count) = match (info.cluster.or(info.array), own) {
-            (Some(array), Some(own)) if info.count() == array.count => (own.checked_sub(array.first), 1),
-            _ => (Some(0), info.count()),
+        // Where a register has lanes, the number is that of a lane.
+        let numbered = info.fields.iter().all(|field| field.lanes == 1);
+        let one = match (info.cluster.or(info.array), own) {
+            (Some(array), Some(own)) if numbered && info.count() == array.count => own.checked_sub(array.first),
+            _ => None,
         };
-        let of = move |from: u32| (from..from + count).map(move |element| Slot(first + element as u16));
-        from.into_iter().flat_map(of)
+        let (from, count) = one.filter(|one| *one < info.count()).map_or((0, info.count()), |one| (one, 1));
+        (from..from + count).map(move |element| Slot(first + element as u16))
     }
 
     /// Of a repeated field on the one with the number that `[n]` stands for.

@@ -106,6 +106,7 @@ pub struct RegisterFile {
     plans: Vec<WritePlan>,
     reads: Vec<Vec<(u32, u32, bool)>>,
     unreadable: Vec<u32>,
+    widths: &'static [u8],
     effects: Effects,
     lines: Lines,
 }
@@ -136,6 +137,7 @@ impl RegisterFile {
             plans: meta.registers.iter().map(|info| WritePlan::new(meta, info)).collect(),
             reads: meta.registers.iter().map(read_effects).collect(),
             unreadable: meta.registers.iter().map(unreadable).collect(),
+            widths: meta.access_widths,
             effects: Effects::default(),
             lines: Lines::default(),
             physical,
@@ -157,6 +159,17 @@ impl RegisterFile {
     #[must_use]
     pub fn reset_value(&self, slot: Slot) -> u32 {
         self.resets[slot.0 as usize]
+    }
+
+    /// Allows other access widths in bits than the description, for a choice that a model has.
+    pub const fn set_access_widths(&mut self, widths: &'static [u8]) {
+        self.widths = widths;
+    }
+
+    /// Legal access widths in bits.
+    #[must_use]
+    pub const fn access_widths(&self) -> &'static [u8] {
+        self.widths
     }
 
     /// The description.
@@ -297,6 +310,12 @@ impl RegisterFile {
             self.set(slot, left);
         }
         ReadAccess { slot, lanes, value: stored & !self.unreadable[register], left }
+    }
+
+    /// What a read of a register would show, without its side effects.
+    #[must_use]
+    pub fn peek(&self, slot: Slot) -> u32 {
+        self.get(slot) & !self.unreadable[self.physical[slot.0 as usize].register as usize]
     }
 
     /// Mask of the interrupt lines that are active, bit 0 for the first line of the description.

@@ -11,6 +11,8 @@ pub struct WriteAccess {
     pub slot: Slot,
     /// Mask of the bytes that are written.
     pub lanes: u32,
+    /// The operation, for a write through an alias register.
+    pub alias: Option<AliasOp>,
     /// What the host wrote, in place; bytes that are not written are 0.
     pub written: u32,
     /// The value before.
@@ -103,7 +105,7 @@ impl RegisterFile {
             Some(AliasOp::Set) => old | written,
             Some(AliasOp::Invert) => old ^ written,
         };
-        let mut access = WriteAccess { slot, lanes, written, old, new: old, refused: None };
+        let mut access = WriteAccess { slot, lanes, alias, written, old, new: old, refused: None };
         let info = self.info(slot);
         let plan = &self.plans[self.physical[slot.0 as usize].register as usize];
         for group in &plan.groups {

@@ -1,7 +1,7 @@
 //! Every register of the model over the bus, as the description says.
 
-use can_sim::{Handle, Sim, dspic33_canfd::Dspic33CanfdModel};
-use dspic33_canfd_pac::meta::CONTROLLER;
+use can_sim::{Handle, Sim, Time, dspic33_canfd::Dspic33CanfdModel};
+use dspic33_canfd_pac::{Dspic33Canfd, enums::OperationMode as Mode, meta::CONTROLLER, registers::ConL};
 use regbus::meta::Controller;
 
 use crate::{
@@ -22,6 +22,15 @@ impl Subject for Canfd {
 
     /// 4.2: the mode after reset.
     fn configure(_sim: &Sim, _id: Handle<Dspic33CanfdModel>) {}
+
+    /// Configuration mode holds the flags of FIFOs in reset.
+    fn release(sim: &Sim, id: Handle<Dspic33CanfdModel>) {
+        let can = Dspic33Canfd::new(sim.registers(id));
+        can.con_l().write(ConL::RESET.with_con(true));
+        can.con_h().write(can.con_h().read().with_reqop(Mode::InternalLoopback));
+        sim.run_for(Time::from_us(100));
+        assert_eq!(can.con_h().read().opmod(), Mode::InternalLoopback);
+    }
 
     /// Codes follow the flags, the counter follows time, and Configuration mode holds the flags of FIFOs in reset.
     fn follows(register: &str, field: &str) -> bool {

@@ -56,6 +56,26 @@ fn icode_is_not_the_read_pointer() {
     assert_eq!(can.regs(&sim).fifo().read().fnrb().map(|buffer| buffer.bits()), Ok(5));
 }
 
+/// After an overflow FBP has passed buffers that FNRB has not: a driver that waits for the buffer which FNRB names finds it
+/// empty although others are full, and later reads them in the wrong order.
+#[test]
+fn draining_by_fnrb_after_an_overflow() {
+    let (sim, can, other) = fifo::bench(FIFO_5_TO_11);
+    for number in 0..9 {
+        fifo::receive(&sim, other, number);
+    }
+    while can.take_from_fifo(&sim).is_some() {}
+    assert_eq!(can.regs(&sim).fifo().read().bits(), 0x0705, "empty, and the next message goes to buffer 7");
+    fifo::receive(&sim, other, 10);
+    assert_eq!(can.take_from_fifo(&sim), None);
+    for number in 11..17 {
+        fifo::receive(&sim, other, number);
+    }
+    assert_eq!(can.take_from_fifo(&sim), Some(frame("100#0F")), "not the oldest");
+    let expected = DiagnosticKind::AcknowledgeInvalid { register: "RXFUL", index: 5, get: 7, fill: 7 };
+    assert_eq!(kinds(&sim), [expected]);
+}
+
 /// The handler comes while the main program has the filter window open: its store to clear RXFUL changes a buffer pointer.
 #[test]
 fn an_interrupt_while_the_filter_window_is_open() {

@@ -33,6 +33,9 @@ pub trait Subject {
         false
     }
 
+    /// Takes it out of a reset in which flags are held cleared.
+    fn release(_sim: &Sim, _id: Handle<Self::Model>) {}
+
     /// Brings a named condition about, or the contrary, where forcing its fields is not enough. Returns false to leave it
     /// to the fields.
     fn bring_about(_sim: &Sim, _id: Handle<Self::Model>, _condition: &str, _holds: bool) -> bool {
@@ -274,6 +277,7 @@ pub fn flags<S: Subject>() -> u32 {
                     continue;
                 }
                 let (sim, id) = bench::<S>(false);
+                S::release(&sim, id);
                 select::<S>(&sim, id, at.info.window);
                 let others = get::<S>(&sim, id, at) & !(by_one | by_zero);
                 force::<S>(&sim, id, at, others | by_one | by_zero);
@@ -304,11 +308,13 @@ pub fn read_effects<S: Subject>() -> u32 {
             };
             for (byte, width) in accesses::<S>(u32::from(at.info.width / 8)) {
                 let (sim, id) = bench::<S>(false);
+                S::release(&sim, id);
                 select::<S>(&sim, id, at.info.window);
                 let mask = field.mask(lane);
                 let rest = get::<S>(&sim, id, at) & !mask;
                 let full = if sets { 0 } else { mask };
                 force::<S>(&sim, id, at, rest | full);
+                assert_eq!(get::<S>(&sim, id, at) & mask, full, "{}.{} can be set", at.info.name, field.name);
                 read(sim.registers(id), offset + byte, width);
                 let reached =
                     (byte..byte + u32::from(width / 8)).any(|byte| trigger.is_none_or(|at| u32::from(at) == byte));

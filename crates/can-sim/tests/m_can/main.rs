@@ -3,13 +3,21 @@
 
 mod bench;
 mod choices;
+mod counters;
+mod details;
 mod exchange;
+mod fd;
+mod fuzz;
+mod interruption;
+mod interrupts;
 mod known_bugs;
 mod laws;
 #[path = "../laws_of/mod.rs"]
 mod laws_of;
 mod modes;
 mod rx;
+mod rx_limits;
 mod silicon;
 mod status;
 mod tx;
+mod tx_limits;

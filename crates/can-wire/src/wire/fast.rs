@@ -9,6 +9,8 @@ use crate::{Field, NodeId, Signal, Time, encode::encode, protocol::Incoming};
 pub(super) struct FastPath {
     allowed: bool,
     planned: bool,
+    /// The caller has been told that nothing more happens up to this time.
+    done_by: u64,
     /// Kept between frames for its allocations; absent while it is being worked on.
     plan: Option<Box<Plan>>,
     pub(super) statistics: Statistics,
@@ -16,7 +18,7 @@ pub(super) struct FastPath {
 
 impl Default for FastPath {
     fn default() -> FastPath {
-        FastPath { allowed: true, planned: false, plan: None, statistics: Statistics::default() }
+        FastPath { allowed: true, planned: false, done_by: 0, plan: None, statistics: Statistics::default() }
     }
 }
 
@@ -33,6 +35,12 @@ impl FastPath {
     #[inline]
     pub(super) fn is_planned(&self) -> bool {
         self.planned
+    }
+
+    /// Everything that is due by this time has been told to the caller.
+    #[inline]
+    pub(super) fn all_done_by(&mut self, limit: u64) {
+        self.done_by = self.done_by.max(limit);
     }
 
     /// When the plan delivers its next event or ends, if there is one.
@@ -149,8 +157,10 @@ impl Wire {
         let allowed = core::mem::replace(&mut self.fast.allowed, false);
         let waiting = core::mem::take(&mut self.events);
         let mut requests = requests.into_iter().peekable();
+        // At the present itself there may be more to come after the event that the caller was given last.
+        let between_events = self.fast.done_by < present;
         while let Some(time) = self.next_time() {
-            if time > present || (time == present && self.events.len() >= delivered) {
+            if time > present || (time == present && between_events && self.events.len() >= delivered) {
                 break;
             }
             while let Some((_, node, frame)) = requests.next_if(|(at, _, _)| *at < time) {

@@ -138,6 +138,7 @@ impl Wire {
             while self.events.is_empty() {
                 if !self.advance(limit.as_ps()) {
                     self.now = self.now.max(limit.as_ps().min(Time::MAX.as_ps()));
+                    self.fast.all_done_by(limit.as_ps());
                     self.tracer.flush_before(self.now);
                     return None;
                 }
@@ -157,8 +158,12 @@ impl Wire {
 
     /// Lets time pass to `until`, but not beyond [`Wire::next_due`]: for several buses that share one time.
     pub fn wait_until(&mut self, until: Time) {
-        let until = until.min(self.next_due());
+        let due = self.next_due();
+        let until = until.min(due);
         self.now = self.now.max(until.as_ps());
+        if until < due {
+            self.fast.all_done_by(until.as_ps());
+        }
     }
 
     /// Runs until `limit` and hands every event to `handler`, which may place requests.
