@@ -7,3 +7,4 @@
 
 mod m_can;
 mod m_can_by_hand;
+mod others;
