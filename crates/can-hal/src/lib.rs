@@ -11,6 +11,7 @@
 //! - [`embedded_can`]'s traits and [`FdCan`] are for drivers that know no controller.
 #![no_std]
 #![deny(unsafe_code)]
+#![allow(clippy::result_large_err, reason = "a refused change of mode gives the controller back")]
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -125,17 +125,17 @@ impl MCanTiming {
 /// Bit timing of the dsPIC33 CAN FD module. All registers take writes only in Configuration mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DsPic33CanFdTiming {
-    /// Nominal bit timing, low half (Register 3-4).
+    /// Nominal bit timing, low half (Register 3-3).
     pub nbtcfgl: canfd_registers::NbtcfgL,
-    /// Nominal bit timing, high half (Register 3-3).
+    /// Nominal bit timing, high half (Register 3-4).
     pub nbtcfgh: canfd_registers::NbtcfgH,
-    /// Data bit timing, low half (Register 3-6). The reset value without a data phase.
+    /// Data bit timing, low half (Register 3-5). The reset value without a data phase.
     pub dbtcfgl: canfd_registers::DbtcfgL,
-    /// Data bit timing, high half (Register 3-5). The reset value without a data phase.
+    /// Data bit timing, high half (Register 3-6). The reset value without a data phase.
     pub dbtcfgh: canfd_registers::DbtcfgH,
-    /// Transmitter delay compensation, low half (Register 3-8).
+    /// Transmitter delay compensation, low half (Register 3-7).
     pub tdcl: canfd_registers::TdcL,
-    /// Transmitter delay compensation, high half (Register 3-7): off or automatic. Its other fields have their reset value.
+    /// Transmitter delay compensation, high half (Register 3-8): off or automatic. Its other fields have their reset value.
     pub tdch: canfd_registers::TdcH,
 }
 
