@@ -22,6 +22,8 @@ pub const RATE: u32 = 500_000;
 pub const DATA_RATE: u32 = 2_000_000;
 /// How long the driver leaves a node off the bus before it restarts it.
 pub const PAUSE: Time = Time::from_us(1_000);
+/// When the first frame is sent; both controllers are on the bus by then.
+const FIRST: Time = Time::from_us(120);
 /// When the fault is repaired, counted from bus off.
 const REPAIRED: Time = Time::from_us(500);
 /// How often the driver of a node that is bus off looks at its state.
@@ -304,7 +306,7 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
     let motor = stage.motor.station.node(stage.sim);
 
     stage.act("Two controllers talk");
-    stage.serve_for(Time::from_us(60))?;
+    stage.serve_until(FIRST)?;
     stage.motor_sends()?;
     stage.all_sent()?;
     // Both get their next frames while this one occupies the bus, so that they begin together.

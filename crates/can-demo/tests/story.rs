@@ -34,7 +34,7 @@ fn the_story_is_the_same_every_time() {
 #[test]
 fn two_different_controllers_take_part_and_make_no_mistake() {
     assert_ne!(STORY.nodes[MOTOR].title, STORY.nodes[PANEL].title);
-    assert_eq!(STORY.diagnostics, [String::new(); 0]);
+    assert!(STORY.diagnostics.is_empty(), "{:?}", STORY.diagnostics);
 }
 
 #[test]
