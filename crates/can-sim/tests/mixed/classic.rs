@@ -141,7 +141,7 @@ fn reply_of(node: usize) -> Frame {
 fn random_frame(random: &mut ChaCha8Rng, sender: usize) -> Frame {
     let bits = random.next_u32();
     let id = if bits & 1 == 0 {
-        Id::Standard(StandardId::new(((bits >> 3) % 0x700 & 0x7F8) as u16 | sender as u16).unwrap())
+        Id::Standard(StandardId::new((((bits >> 3) % 0x700) & 0x7F8) as u16 | sender as u16).unwrap())
     } else {
         Id::Extended(ExtendedId::new(bits >> 3 & 0x1FFF_FFF8 | sender as u32).unwrap())
     };
