@@ -2,6 +2,7 @@
 
 mod artefacts;
 mod codegen;
+mod demo;
 mod descriptions;
 mod diff;
 mod dump;
@@ -15,7 +16,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-/// Turns register descriptions into Rust, C, SVD and HTML.
+/// Turns register descriptions into Rust, C, SVD and HTML; shows what runs on them.
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, arg_required_else_help = true)]
 struct Cli {
@@ -61,6 +62,14 @@ enum Command {
         /// The new description.
         new: String,
     },
+    /// Shows two controllers on a simulated bus: frames, a fault, error passive, bus off, and the way back.
+    ///
+    /// Prints a timeline and writes report.html, bus.vcd (GTKWave, PulseView), bus.pcapng (Wireshark) and candump.log.
+    Demo {
+        /// The folder for the files; target/demo/ if left out.
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
     /// Writes the JSON schema for editors to regdefs/schema.json.
     Schema,
     /// Writes the HTML reference to target/reference/ and the language reference to docs/.
@@ -96,6 +105,7 @@ fn main() -> ExitCode {
         Command::Check { files } => descriptions::check(&files),
         Command::Dump { controller, format } => dump::print(&controller, matches!(format, Format::Json)),
         Command::Diff { old, new } => diff::print(&old, &new),
+        Command::Demo { out } => demo::run(out),
         Command::Schema => codegen::schema(),
         Command::Docs => codegen::docs(),
         Command::BitTiming { arguments } => return handed_on(tool::run("bit-timing", &arguments)),

@@ -248,7 +248,8 @@ fn entry(story: &Story, step: &Step) -> Value {
         name => story.nodes[step.node].name,
         text,
         kind,
-        accesses => step.records.iter().map(access).collect::<Vec<_>>(),
+        count => step.records.len(),
+        accesses => step.records.chunk_by(is_same).map(access).collect::<Vec<_>>(),
     }
 }
 
@@ -271,7 +272,14 @@ fn seen(status: &Status) -> String {
     format!("{error}{state}, TEC {}, REC {}", status.counters.transmit, status.counters.receive)
 }
 
-fn access(record: &AccessRecord) -> Value {
+/// One poll after the other sees the same.
+fn is_same(one: &AccessRecord, other: &AccessRecord) -> bool {
+    !one.write && !other.write && (one.offset, one.width, one.value) == (other.offset, other.width, other.value)
+}
+
+/// Equal accesses in a row of the table.
+fn access(records: &[AccessRecord]) -> Value {
+    let [record, ..] = records else { return context! {} };
     let digits = usize::from(record.width.0) / 4;
     let (register, fields): (String, Vec<Value>) = match &record.register {
         Some(register) => {
@@ -285,6 +293,7 @@ fn access(record: &AccessRecord) -> Value {
     context! {
         time => format!("{:.1}", record.time.as_ns() as f64 / 1_000.0),
         write => record.write,
+        times => records.len(),
         register,
         offset => format!("{:#05x}", record.offset),
         value => format!("{:#0width$x}", record.value, width = digits + 2),

@@ -32,7 +32,7 @@ pub struct Options {
 /// # Errors
 /// An [`Error`] if a driver does not get where the story wants it, or a file cannot be written.
 pub fn run(options: &Options) -> Result<Story, Error> {
-    let mut story = play::play::<controllers::MCan, controllers::MCan>()?;
+    let mut story = play::play::<controllers::MCan, controllers::DsPic33CanFd>()?;
     if let Some(folder) = &options.out {
         story.files = files::write(&story, folder)?;
     }

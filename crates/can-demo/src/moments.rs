@@ -241,8 +241,8 @@ pub fn milliseconds(time: Time) -> String {
 #[must_use]
 pub fn bit_rate(rate: u32) -> String {
     match rate {
-        1_000_000.. if rate % 1_000_000 == 0 => format!("{} Mbit/s", rate / 1_000_000),
-        1_000.. if rate % 1_000 == 0 => format!("{} kbit/s", rate / 1_000),
+        1_000_000.. if rate.is_multiple_of(1_000_000) => format!("{} Mbit/s", rate / 1_000_000),
+        1_000.. if rate.is_multiple_of(1_000) => format!("{} kbit/s", rate / 1_000),
         _ => format!("{rate} bit/s"),
     }
 }

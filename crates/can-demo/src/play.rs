@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use can_frame::Frame;
 use can_hal::{
-    Configured, ErrorState, Events, InterruptSet, Outcome, Polls, Receive, RestartAfter, Status, Transmit,
+    ErrorState, Events, RestartAfter, Status,
     timing::{BitTiming, Request, Segments},
 };
 use can_sim::Sim;
@@ -12,7 +12,7 @@ use can_wire::{BitFault, Fault, Field, Frames, NodeConfig, NodeId, Position, Tim
 
 use crate::{
     Error, Story,
-    controllers::{MODE_POLLS, Running, Station, knows_fd},
+    controllers::{Driver, Station},
     story::{Act, Deed, Injected, Node, Step},
 };
 
@@ -65,30 +65,28 @@ fn frame(text: &str) -> Result<Frame, Error> {
 }
 
 /// A controller with its driver.
-struct Driver<'a, S: Station> {
+struct Actor<'a, S: Station> {
     node: usize,
     station: S,
-    can: Running<'a, S>,
-    pending: Vec<(<Running<'a, S> as Transmit>::Ticket, Frame)>,
+    can: S::Driver<'a>,
+    pending: Vec<(<S::Driver<'a> as Driver>::Ticket, Frame)>,
     sent: u32,
     status: Option<Status>,
 }
 
-impl<S: Station> Driver<'_, S> {
+impl<S: Station> Actor<'_, S> {
     /// The interrupt handler.
     fn serve(&mut self) -> Result<Deed, Error> {
-        let flags = self.can.interrupts();
-        self.can.clear(flags);
-        let events = flags.events();
+        let events = self.can.take_events();
         let mut received = Vec::new();
-        while let Some(message) = self.can.fetch().map_err(Error::setup)? {
-            received.push(message.frame);
+        while let Some(frame) = self.can.fetch()? {
+            received.push(frame);
         }
         let mut sent = Vec::new();
         if events.contains(Events::TRANSMITTED) {
             let (can, done) = (&mut self.can, &mut sent);
             self.pending.retain(|(ticket, frame)| {
-                let pending = can.outcome(*ticket) == Outcome::Pending;
+                let pending = can.is_pending(*ticket);
                 if !pending {
                     done.push(*frame);
                 }
@@ -103,7 +101,7 @@ impl<S: Station> Driver<'_, S> {
     }
 
     fn send(&mut self, frame: Frame) -> Result<Deed, Error> {
-        let ticket = self.can.send(&frame).map_err(Error::Send)?;
+        let ticket = self.can.send(&frame)?;
         self.pending.push((ticket, frame));
         Ok(Deed::Sent(frame))
     }
@@ -122,8 +120,8 @@ impl<S: Station> Driver<'_, S> {
 /// The simulation with both drivers.
 struct Stage<'a, A: Station, B: Station> {
     sim: &'a Sim,
-    motor: Driver<'a, A>,
-    panel: Driver<'a, B>,
+    motor: Actor<'a, A>,
+    panel: Actor<'a, B>,
     steps: Vec<Step>,
     acts: Vec<Act>,
     faults: Vec<Injected>,
@@ -142,15 +140,14 @@ fn start<'a, S: Station>(
     node: usize,
     station: S,
     timing: &BitTiming,
-) -> Result<Driver<'a, S>, Error> {
+) -> Result<Actor<'a, S>, Error> {
     let begin = sim.now();
     let can = station.configure(sim, timing)?;
     note(sim, steps, node, begin, Deed::Configured);
     let begin = sim.now();
-    let mut can = can.start(Polls(MODE_POLLS)).map_err(|_| Error::TimedOut("on its way to normal operation"))?;
-    S::enable_interrupts(&mut can);
+    let can = S::start(can)?;
     note(sim, steps, node, begin, Deed::Started);
-    Ok(Driver { node, station, can, pending: Vec::new(), sent: 0, status: None })
+    Ok(Actor { node, station, can, pending: Vec::new(), sent: 0, status: None })
 }
 
 impl<A: Station, B: Station> Stage<'_, A, B> {
@@ -274,7 +271,7 @@ pub fn play<A: Station, B: Station>() -> Result<Story, Error> {
     let logger = sim.add_peer(plain_node(A::CLOCK, &timing.0)).map_err(Error::Place)?;
     let recording = Arc::new(Mutex::new(Recording::new()));
     sim.with_wire(|wire| wire.set_trace(Some(Box::new(Arc::clone(&recording)))));
-    let display = DISPLAY[usize::from(!(knows_fd::<A>() && knows_fd::<B>()))];
+    let display = DISPLAY[usize::from(!(A::FD && B::FD))];
     let node =
         |index: usize, title, id, clock, timing| Node { name: NAMES[index], title, id, clock, ppm: PPM[index], timing };
     let nodes = vec![
@@ -355,7 +352,7 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
         let bus_off = stage.motor.is(ErrorState::BusOff);
         let begin = stage.sim.now();
         if policy.due(bus_off, begin.as_ps()) {
-            stage.motor.can.restart(Polls(MODE_POLLS)).map_err(|_| Error::TimedOut("to recover from bus off"))?;
+            stage.motor.can.restart()?;
             note(stage.sim, &mut stage.steps, MOTOR, begin, Deed::Restarted);
         }
         stage.serve_until(now + TICK)?;

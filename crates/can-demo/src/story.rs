@@ -309,6 +309,8 @@ impl Story {
                 (Field::ErrorFlag | Field::OverloadFlag, _) if bit.position.bit > 0 => before.unwrap_or(flag),
                 (Field::ErrorFlag | Field::OverloadFlag, _) => flag,
                 (Field::ErrorDelimiter | Field::OverloadDelimiter, _) => Doing::Delimiter,
+                // A node that suspends its transmission stays transmitter until another one begins.
+                (Field::Sof, Role::Transmitter) if !bit.driven.is_dominant() => Doing::Receives,
                 (_, Role::Transmitter) => Doing::Sends,
                 (_, Role::Receiver) => Doing::Receives,
             };

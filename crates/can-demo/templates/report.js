@@ -36,7 +36,7 @@
     node: element.dataset.node,
     error: element.classList.contains("e-error") || element.classList.contains("e-restart"),
     words: element.querySelector("summary").textContent.toLowerCase(),
-    rows: [...element.querySelectorAll("tr")].map((row) => ({ row, write: row.classList.contains("w"), words: row.textContent.toLowerCase() })),
+    rows: [...element.querySelectorAll("tr")].map((row) => ({ row, times: Number(row.dataset.times), write: row.classList.contains("w"), words: row.textContent.toLowerCase() })),
   }));
   const parts = [...document.querySelectorAll(".part")];
   const words = byId("words"), errors = byId("errors"), count = byId("count");
@@ -47,14 +47,14 @@
     let shown = 0, all = 0;
     for (const step of steps) {
       let any = false;
-      for (const { row, write, words } of step.rows) {
+      for (const { row, times, write, words } of step.rows) {
         // A word may stand in the row or in what its step is about.
         const found = wanted.every((word) => words.includes(word) || step.words.includes(word));
         const visible = ways.has(write ? "w" : "r") && nodes.has(step.node) && (!errors.checked || step.error) && found;
         row.hidden = !visible;
         any = any || visible;
-        shown += visible;
-        all += 1;
+        shown += visible ? times : 0;
+        all += times;
       }
       step.element.hidden = !any;
       if (wanted.length && any) step.element.open = true;

@@ -62,6 +62,11 @@ pub fn run() -> Result<Vec<(&'static str, Vec<Frame>)>> {
     }
     {
         let sim = Sim::new();
+        let can = board::dspic33_canfd(&sim, "can0")?;
+        echoed.push(("dsPIC33 CAN FD", echo_on(&sim, can)?));
+    }
+    {
+        let sim = Sim::new();
         let can = board::ecan(&sim, "can0")?;
         echoed.push(("ECAN", echo_on(&sim, can)?));
     }

@@ -21,6 +21,7 @@ struct Readme;
 mod report;
 mod controller;
 mod deadline;
+pub mod dspic33_canfd;
 pub mod dspic33_ecan;
 mod error;
 mod events;

@@ -187,6 +187,11 @@ impl Sim {
         self.core.borrow().peers[peer.0].received.clone()
     }
 
+    /// What a node without controller has received since it was asked last.
+    pub fn take_peer_received(&self, peer: PeerId) -> Vec<(Time, Frame)> {
+        core::mem::take(&mut self.core.borrow_mut().peers[peer.0].received)
+    }
+
     /// What a node without controller has sent, with the time of each.
     #[must_use]
     pub fn peer_sent(&self, peer: PeerId) -> Vec<(Time, Frame)> {

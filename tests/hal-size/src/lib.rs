@@ -5,6 +5,8 @@
 #![no_std]
 #![allow(missing_docs, unsafe_code, clippy::missing_safety_doc)]
 
+mod dspic33_ecan;
+mod dspic33_ecan_by_hand;
 mod m_can;
 mod m_can_by_hand;
-mod others;
+mod pic32_can;

@@ -1,10 +1,10 @@
 //! Bosch M_CAN.
 
 use can_hal::{
-    Polls, Region,
+    Configured, Polls, Region,
     m_can::{Can, Config, DataFieldSize, Interrupts, Line},
     memory::{MCanMemory, MCanPlan},
-    mode::Configuration,
+    mode::{Configuration, Running},
     timing::{BitTiming, Limits, MCanTiming},
 };
 use can_sim::{
@@ -14,7 +14,7 @@ use can_sim::{
 use can_wire::NodeId;
 use regbus::meta;
 
-use super::{MODE_POLLS, Running, Station};
+use super::{MODE_POLLS, Station};
 use crate::{Error, play};
 
 /// Words of its Message RAM: the largest there is.
@@ -33,9 +33,11 @@ pub struct MCan {
 }
 
 impl Station for MCan {
-    type Can<'a> = Can<Configuration, RegisterBus<'a>, MemoryBus<'a>>;
+    type Configured<'a> = Can<Configuration, RegisterBus<'a>, MemoryBus<'a>>;
+    type Driver<'a> = Can<Running, RegisterBus<'a>, MemoryBus<'a>>;
     const META: &'static meta::Controller = &m_can_pac::meta::CONTROLLER;
     const CLOCK: u32 = 40_000_000;
+    const FD: bool = <Self::Configured<'static> as Configured>::CAPABILITIES.fd;
 
     fn add(sim: &Sim, name: &str, ppm: i32) -> Result<Self, Error> {
         let ram = sim.add_memory(Memory::new(WORDS));
@@ -59,7 +61,7 @@ impl Station for MCan {
     }
 
     #[allow(unsafe_code, reason = "a simulated memory of its own")]
-    fn configure<'a>(self, sim: &'a Sim, timing: &BitTiming) -> Result<Self::Can<'a>, Error> {
+    fn configure<'a>(self, sim: &'a Sim, timing: &BitTiming) -> Result<Self::Configured<'a>, Error> {
         // SAFETY: nothing else uses this memory.
         let region = unsafe { Region::new(sim.memory(self.ram), 0, WORDS as u32 * 4) };
         let timing = MCanTiming::of(timing).map_err(Error::setup)?;
@@ -68,13 +70,15 @@ impl Station for MCan {
         Ok(can)
     }
 
-    fn enable_interrupts(can: &mut Running<'_, Self>) {
+    fn start<'a>(can: Self::Configured<'a>) -> Result<Self::Driver<'a>, Error> {
         type I = Interrupts;
+        let mut can = can.start(Polls(MODE_POLLS)).map_err(|_| Error::TimedOut("normal operation was requested"))?;
         can.enable_buffer_interrupts(u32::MAX, 0);
         can.enable_interrupts(I::RF0N | I::TC | I::EW | I::EP | I::BO | I::PEA | I::PED, Line::Int0);
+        Ok(can)
     }
 
-    fn report_errors(can: &mut Running<'_, Self>, on: bool) {
+    fn report_errors(can: &mut Self::Driver<'_>, on: bool) {
         // 2.3.14: during the recovery every sequence of 11 recessive bits is a protocol error to IR.PEA.
         let errors = Interrupts::PEA | Interrupts::PED;
         if on {

@@ -1,8 +1,9 @@
 //! What stands for a board in these examples: a simulation with controllers on it.
 //!
 //! On hardware the two buses are `Mmio` at the addresses of the chip, and that is all that changes.
-#![allow(dead_code, reason = "each example uses what it needs")]
+#![allow(dead_code, unused_imports, reason = "each example uses what it needs")]
 
+mod dspic33_canfd;
 mod ecan;
 mod pic32_can;
 
@@ -19,6 +20,7 @@ use can_sim::{
 };
 
 #[allow(unused_imports, reason = "each example uses what it needs")]
+pub use dspic33_canfd::dspic33_canfd;
 pub use ecan::ecan;
 #[allow(unused_imports, reason = "each example uses what it needs")]
 pub use pic32_can::pic32_can;

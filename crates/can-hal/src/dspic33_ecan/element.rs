@@ -2,7 +2,7 @@
 
 use can_frame::{Dlc, ExtendedId, Format, Frame, Id, StandardId};
 use dspic33_ecan_pac::{
-    enums::IdentifierFormat,
+    enums::{FilterNumber, IdentifierFormat},
     messages::{RxBuffer, TxBuffer, TxBufferWord0, TxBufferWord1, TxBufferWord2},
 };
 use regbus::Bus;
@@ -16,7 +16,8 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     pub(super) fn write_element(&self, buffer: u8, frame: &Frame) {
         let element = TxBuffer::new(self.ram, self.layout.at(buffer));
         let remote = frame.is_remote();
-        let length = TxBufferWord2::from_bits(0).with_dlc(frame.dlc().code() & 0xF);
+        // Codes above 8, which the setter refuses, stand for eight bytes and are sent as they are (`dlc_above_8`).
+        let length = TxBufferWord2::from_bits(u16::from(frame.dlc().code() & 0xF));
         let (word0, word1, word2) = match frame.id() {
             // 2.1, 2.3; a remote frame is requested by SRR (`standard_remote_frame`).
             Id::Standard(id) => {
@@ -26,7 +27,8 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             // 2.2: SRR is 1 (`srr_extended`).
             Id::Extended(id) => {
                 let raw = id.as_raw() & ExtendedId::MAX.as_raw();
-                let word0 = TxBufferWord0::from_bits(0).with_sid((raw >> 18) as u16).with_srr(true);
+                let word0 =
+                    TxBufferWord0::from_bits(0).with_sid((raw >> 18) as u16 & StandardId::MAX.as_raw()).with_srr(true);
                 let word1 = TxBufferWord1::from_bits(0).with_eid((raw >> 6) as u16 & 0xFFF);
                 let word2 = length.with_eid((raw & 0x3F) as u8).with_rtr(remote);
                 (word0.with_ide(IdentifierFormat::Extended), word1, word2)
@@ -56,7 +58,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let frame = Frame::read_with(id, format, Dlc::from_low_bits(word2.dlc()), |data| {
             element.payload().read(data);
         });
-        let filter = element.word7().read().filhit().map_or_else(|code| code, |filter| filter.bits());
+        let (Ok(FilterNumber::Filter(filter)) | Err(filter)) = element.word7().read().filhit();
         RxMessage { frame, filter, buffer }
     }
 }

@@ -89,7 +89,8 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
     /// The filter that the last message hit (CxVEC.FILHIT, `vec_filhit`).
     #[must_use]
     pub fn last_filter(&self) -> u8 {
-        self.inner.regs.vec().read().filhit().map_or_else(|code| code, FilterNumber::bits)
+        let (Ok(FilterNumber::Filter(filter)) | Err(filter)) = self.inner.regs.vec().read().filhit();
+        filter
     }
 }
 

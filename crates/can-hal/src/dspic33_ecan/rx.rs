@@ -1,7 +1,10 @@
 //! Receiving (9.2, 9.3): buffers and FIFO.
 
 use can_frame::Frame;
-use dspic33_ecan_pac::{enums::FilterTarget, registers as pac};
+use dspic33_ecan_pac::{
+    enums::{FifoBuffer, FilterTarget},
+    registers as pac,
+};
 use regbus::Bus;
 
 use super::{Can, Inner};
@@ -77,35 +80,44 @@ impl Rx {
     }
 }
 
-/// Reads the halves of a pair of registers that hold used buffers.
-fn halves(used: u32, read: impl Fn(usize) -> u16) -> u32 {
-    let low = if used & 0xFFFF != 0 { u32::from(read(1)) } else { 0 };
-    let high = if used >> 16 != 0 { u32::from(read(2)) } else { 0 };
+/// Joins the two registers of 32 flags, of which only those that hold used buffers are read.
+#[inline]
+fn halves(used: u32, low: impl Fn() -> u16, high: impl Fn() -> u16) -> u32 {
+    let low = if used & 0xFFFF != 0 { u32::from(low()) } else { 0 };
+    let high = if used >> 16 != 0 { u32::from(high()) } else { 0 };
     (low | high << 16) & used
 }
 
 impl<R: Bus, M: Bus> Inner<R, M> {
     #[inline]
     fn full(&self) -> u32 {
-        halves(self.rx.used(), |half| self.regs.rxful(half).read().bits())
+        let regs = &self.regs;
+        halves(self.rx.used(), || regs.rxful(1).read().bits(), || regs.rxful(2).read().bits())
     }
 
     fn overflown(&self) -> u32 {
-        halves(self.rx.used(), |half| self.regs.rxovf(half).read().bits())
+        let regs = &self.regs;
+        halves(self.rx.used(), || regs.rxovf(1).read().bits(), || regs.rxovf(2).read().bits())
     }
 
     /// 9.2.5: releases a buffer with one store and no read.
     #[inline]
     fn release(&self, buffer: u8) {
-        let (full, lane) = self.regs.rxful_of(usize::from(buffer & 31));
-        full.clear(pac::Rxful::rxful_bit(lane));
+        let flag = pac::Rxful::rxful_bit(usize::from(buffer & 15));
+        if buffer & 16 == 0 {
+            self.regs.rxful(1).clear(flag);
+        } else {
+            self.regs.rxful(2).clear(flag);
+        }
     }
 
     fn clear_overflow(&self, buffers: u32) {
-        for (half, bits) in [(1, buffers as u16), (2, (buffers >> 16) as u16)] {
-            if bits != 0 {
-                self.regs.rxovf(half).clear(pac::Rxovf::from_bits(bits));
-            }
+        let (low, high) = (buffers as u16, (buffers >> 16) as u16);
+        if low != 0 {
+            self.regs.rxovf(1).clear(pac::Rxovf::from_bits(low));
+        }
+        if high != 0 {
+            self.regs.rxovf(2).clear(pac::Rxovf::from_bits(high));
         }
         self.regs.intf().clear(pac::Intf::RBOVIF);
     }
@@ -132,6 +144,15 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         message
     }
 
+    /// FBP (Register 4-19).
+    #[inline]
+    fn write_pointer(&self) -> u8 {
+        match self.regs.fifo().read().fbp() {
+            Ok(FifoBuffer::Trb(buffer) | FifoBuffer::Rb(buffer)) => buffer,
+            Err(_) => self.rx.next,
+        }
+    }
+
     /// 9.3.1: the oldest message of the FIFO.
     ///
     /// The manual reads the buffer that FNRB names. Once messages were lost, FBP has gone on without FNRB, and the next
@@ -143,10 +164,10 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         if mask == 0 {
             return None;
         }
-        let write = self.regs.fifo().read().fbp();
+        let write = self.write_pointer();
         let full = self.full() & mask;
         if full == 0 {
-            self.rx.next = write.map_or(self.rx.next, |buffer| buffer.bits());
+            self.rx.next = write;
             return None;
         }
         let buffer = self.rx.oldest(full);
@@ -191,8 +212,8 @@ impl<S: OnBus, R: Bus, M: Bus> Can<S, R, M> {
         if buffer >= inner.layout.count() || inner.rx.fifo_mask() >> buffer & 1 == 1 {
             return None;
         }
-        let (full, lane) = inner.regs.rxful_of(usize::from(buffer & 31));
-        full.read().rxful(lane).then(|| inner.take(buffer))
+        let full = if buffer & 16 == 0 { inner.regs.rxful(1).read() } else { inner.regs.rxful(2).read() };
+        full.rxful(usize::from(buffer & 15)).then(|| inner.take(buffer))
     }
 
     /// Buffers that hold a message, one bit each, of those that filters point to.
@@ -205,7 +226,7 @@ impl<S: OnBus, R: Bus, M: Bus> Can<S, R, M> {
     #[must_use]
     pub fn fifo_status(&self) -> FifoStatus {
         let inner = &self.inner;
-        let write = inner.regs.fifo().read().fbp().map_or(inner.rx.next, |buffer| buffer.bits());
+        let write = inner.write_pointer();
         let full = inner.full() & inner.rx.fifo_mask();
         let read = if full == 0 { write } else { inner.rx.oldest(full) };
         FifoStatus { write, read, level: full.count_ones() as u8 }

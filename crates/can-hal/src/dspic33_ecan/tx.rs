@@ -77,17 +77,24 @@ impl Tx {
     }
 }
 
+/// Which half of its register is a buffer's (Tables 3-2, 3-5).
+#[inline]
+const fn half(buffer: u8) -> usize {
+    (buffer & 1) as usize
+}
+
 impl<R: Bus, M: Bus> Inner<R, M> {
+    /// The control bits of a buffer's pair, and which half is the buffer's.
+    #[inline]
     fn read_control(&self, buffer: u8) -> (pac::TrCon, usize) {
-        let (register, lane) = self.regs.tr_con_of(usize::from(buffer % TX_BUFFERS));
-        (register.read(), lane)
+        (self.regs.tr_con(usize::from(buffer % TX_BUFFERS / 2)).read(), half(buffer))
     }
 
     /// Writes the control register of a buffer with or without its request. That of the other one of the pair is not
     /// pending, which the caller knows.
     fn write_request(&self, buffer: u8, request: bool) {
-        let (register, lane) = self.regs.tr_con_of(usize::from(buffer % TX_BUFFERS));
-        register.write(self.tx.control[usize::from(buffer % TX_BUFFERS / 2)].with_txreq(lane, request));
+        let pair = usize::from(buffer % TX_BUFFERS / 2);
+        self.regs.tr_con(pair).write(self.tx.control[pair].with_txreq(half(buffer), request));
     }
 
     /// The buffer of the pair, if any, whose request is pending.
@@ -95,7 +102,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let (value, lane) = self.read_control(buffer);
         if value.txreq(lane) {
             Some(buffer)
-        } else if value.txreq(1 - lane) {
+        } else if value.txreq(half(buffer ^ 1)) {
             Some(buffer ^ 1)
         } else {
             None
@@ -139,8 +146,10 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         let (pending, free) = self.queue_state();
         let (level, buffer) = self.tx.next_place(pending, free).ok_or(SendError::Full)?;
         self.tx.last = Some((level, buffer));
-        let register = &mut self.tx.control[usize::from(buffer / 2)];
-        *register = register.with_txpri(usize::from(buffer % 2), QUEUE_LEVELS[usize::from(level)]);
+        // The bounds never act; they tell the compiler that the indices fit.
+        let register = &mut self.tx.control[usize::from(buffer % TX_BUFFERS / 2)];
+        let priority = QUEUE_LEVELS[usize::from(level) % QUEUE_LEVELS.len()];
+        *register = register.with_txpri(half(buffer), priority);
         Ok(self.send_from(buffer, frame))
     }
 
@@ -206,7 +215,11 @@ impl<S: Sends, R: Bus, M: Bus> Can<S, R, M> {
     /// Aborts everything that waits (CxCTRL1.ABAT, 8.2). A frame on the bus is sent if it succeeds. Returns when the
     /// request is made.
     pub fn cancel_all(&mut self) {
-        self.inner.tx.cancelled = u8::MAX;
+        let inner = &self.inner;
+        let pairs = (0..TX_BUFFERS / 2).filter(|pair| inner.pair_sends(*pair));
+        let pending = pairs.filter_map(|pair| inner.pending_in_pair(2 * pair));
+        let cancelled = pending.fold(0, |mask, buffer| mask | 1 << (buffer % TX_BUFFERS));
+        self.inner.tx.cancelled |= cancelled;
         self.inner.regs.ctrl1().modify(|ctrl1| ctrl1.with_abat(true));
     }
 
@@ -229,11 +242,11 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
     /// Puts the answer to remote frames into a buffer that has [`Use::Reply`], and lets it answer from now on (8.3.2). The
     /// length in a request is ignored.
     ///
-    /// On the bus a request that arrives at the same moment may stay without answer.
+    /// A request that arrives while the answer changes stays without one; none gets a mixture of both.
     ///
     /// # Errors
-    /// [`SendError::NoSuchBuffer`] if the buffer does not answer, [`SendError::Pending`] if an answer is being sent; or
-    /// another [`SendError`].
+    /// [`SendError::NoSuchBuffer`] if the buffer does not answer, [`SendError::Pending`] if an answer is being sent: the old
+    /// one stays; or another [`SendError`].
     pub fn set_reply(&mut self, buffer: u8, frame: &Frame) -> Result<(), SendError> {
         let inner = &mut self.inner;
         if buffer >= TX_BUFFERS || !matches!(inner.tx.uses[usize::from(buffer)], Use::Reply(_)) {
@@ -243,14 +256,18 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
         if inner.pending_in_pair(buffer).is_some() {
             return Err(SendError::Pending { buffer });
         }
-        let (pair, lane) = (usize::from(buffer / 2), usize::from(buffer % 2));
-        // It does not answer while its message changes.
+        let (pair, lane) = (usize::from(buffer / 2), half(buffer));
+        // It does not answer while its message changes. An answer that was requested meanwhile is aborted (8.2), unless it
+        // is on the bus already.
         inner.tx.control[pair] = inner.tx.control[pair].with_rtren(lane, false);
         inner.write_request(buffer, false);
-        inner.write_element(buffer, frame);
+        let sending = inner.pending_in_pair(buffer);
+        if sending.is_none() {
+            inner.write_element(buffer, frame);
+        }
         inner.tx.control[pair] = inner.tx.control[pair].with_rtren(lane, true);
         inner.write_request(buffer, false);
-        Ok(())
+        sending.map_or(Ok(()), |buffer| Err(SendError::Pending { buffer }))
     }
 }
 

@@ -204,7 +204,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         unsafe { self.regs.fifo_ba().write_unsafe(pac::FifoBa::from_bits(self.base)) };
         self.replies = 0;
         for (number, fifo) in self.fifos.iter_mut().enumerate() {
-            let mut con = fifo.con;
+            let mut con = fifo.con();
             if let Some(tx) = config.tx_fifos.iter().find(|tx| usize::from(tx.fifo) == number) {
                 con = con.with_txpri(tx.priority).with_rtren(tx.remote_reply);
                 self.replies |= u32::from(tx.remote_reply) << number;

@@ -26,28 +26,25 @@ pub(super) enum Kind {
 pub(super) struct Fifo {
     pub(super) kind: Kind,
     pub(super) depth: u8,
-    /// Offset of its first buffer in the region.
-    offset: u32,
-    /// FSIZE, TXEN and DONLY.
-    pub(super) con: FifoCon,
+    /// Distance of its first buffer from the base of FIFO 0, in words.
+    words: u16,
     /// The next buffer that software writes, of a transmit FIFO.
     pub(super) head: u8,
     /// Messages that lie in its buffers and are put in when Configuration mode ends.
     pub(super) preloaded: u8,
     /// Messages put in since the driver was made, and how many of them were there when the FIFO was reset last.
-    pub(super) queued: u32,
-    pub(super) base: u32,
+    pub(super) queued: u16,
+    pub(super) base: u16,
     /// The messages that the last abort was meant for: from, to; and the first of them that was not sent.
-    pub(super) asked: (u32, u32),
-    pub(super) cancelled_from: u32,
+    pub(super) asked: (u16, u16),
+    pub(super) cancelled_from: u16,
 }
 
 impl Fifo {
     const UNUSED: Self = Self {
         kind: Kind::Unused,
         depth: 1,
-        offset: 0,
-        con: FifoCon::RESET,
+        words: 0,
         head: 0,
         preloaded: 0,
         queued: 0,
@@ -66,24 +63,39 @@ impl Fifo {
         bytes as u32
     }
 
-    /// Offset in the region of the buffer at a physical address that CiFIFOUAn has given (34.6.2, 34.6.3). An address
-    /// outside the FIFO cannot be; it would count as its first buffer.
+    /// Physical address of the buffer that CiFIFOUAn has given (34.6.2, 34.6.3). An address outside the FIFO cannot be; it
+    /// would count as its first buffer.
     #[inline]
-    pub(super) const fn offset_of(&self, address: u32, region: u32) -> usize {
-        let distance = address.wrapping_sub(region).wrapping_sub(self.offset);
-        let inside = distance < self.depth as u32 * self.element();
-        (self.offset + if inside { distance } else { 0 }) as usize
+    pub(super) const fn checked(&self, address: u32, base: u32) -> u32 {
+        let first = self.first(base);
+        let inside = address.wrapping_sub(first) < self.depth as u32 * self.element();
+        if inside { address } else { first }
     }
 
-    /// Offset of the next buffer that software writes, worked out: CiFIFOUAn is not valid in Configuration mode
+    /// Physical address of its first buffer; `base` is that of FIFO 0.
+    const fn first(&self, base: u32) -> u32 {
+        base + self.words as u32 * 4
+    }
+
+    /// Physical address of the next buffer that software writes, worked out: CiFIFOUAn is not valid in Configuration mode
     /// (Register 34-22).
-    pub(super) const fn head_offset(&self) -> usize {
-        (self.offset + self.head as u32 * self.element()) as usize
+    pub(super) const fn head_address(&self, base: u32) -> u32 {
+        self.first(base) + self.head as u32 * self.element()
+    }
+
+    /// FSIZE, TXEN and DONLY; those of a FIFO that was never set up for one that takes room only.
+    pub(super) const fn con(&self) -> FifoCon {
+        let con = FifoCon::RESET.with_fsize((self.depth - 1) & 31);
+        match self.kind {
+            Kind::Unused | Kind::Receive => con,
+            Kind::Transmit => con.with_txen(FifoConTxen::Transmit),
+            Kind::ReceiveData => con.with_donly(FifoConDonly::DataOnly),
+        }
     }
 
     /// The head moves on by one message; returns its number.
     #[inline]
-    pub(super) const fn advance(&mut self) -> u32 {
+    pub(super) const fn advance(&mut self) -> u16 {
         let number = self.queued;
         self.queued = number.wrapping_add(1);
         self.head = if self.head + 1 < self.depth { self.head + 1 } else { 0 };
@@ -104,16 +116,18 @@ pub(super) fn place<M: Bus>(plan: &Pic32CanPlan, region: &Region<M>) -> Result<[
     let end = u64::from(region.address()) + u64::from(region.bytes());
     for (number, fifo) in plan.fifos() {
         let placed = fifo.placed;
-        let offset = placed.start.checked_sub(region.address()).filter(|_| placed.end() <= end);
-        let Some(offset) = offset else { return Err(ConfigError::OutsideRegion(placed)) };
+        if placed.start < region.address() || placed.end() > end {
+            return Err(ConfigError::OutsideRegion(placed));
+        }
         let kind = match (placed.used, fifo.con.txen(), fifo.con.donly()) {
             (false, ..) => Kind::Unused,
             (true, FifoConTxen::Transmit, _) => Kind::Transmit,
             (true, FifoConTxen::Receive, FifoConDonly::FullMessage) => Kind::Receive,
             (true, FifoConTxen::Receive, FifoConDonly::DataOnly) => Kind::ReceiveData,
         };
-        let depth = placed.elements as u8;
-        fifos[usize::from(number) % FIFOS] = Fifo { kind, depth, offset, con: fifo.con, ..Fifo::UNUSED };
+        // 34.1: FIFOs have 32 messages at most, and all of them together 16 KiB.
+        let (depth, words) = (placed.elements as u8, ((placed.start - plan.fifoba) / 4) as u16);
+        fifos[usize::from(number) % FIFOS] = Fifo { kind, depth, words, ..Fifo::UNUSED };
     }
     Ok(fifos)
 }

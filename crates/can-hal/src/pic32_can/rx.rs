@@ -30,7 +30,8 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             registers.int_().clear_bits(pac::FifoInt::RXOVFLIF);
             return Err(Overflow { fifo: number });
         }
-        Ok(flags.rxnemptyif().then(|| fifo.offset_of(registers.ua().read().bits(), self.address)))
+        let offset = || (fifo.checked(registers.ua().read().bits(), self.base) - self.address) as usize;
+        Ok(flags.rxnemptyif().then(offset))
     }
 
     /// 34.6.3: the message has been read. UINC through the SET register: a read of CiFIFOCONn would destroy its flags.

@@ -16,7 +16,7 @@ use crate::{
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ticket {
     fifo: u8,
-    number: u32,
+    number: u16,
 }
 
 impl Ticket {
@@ -28,8 +28,8 @@ impl Ticket {
 }
 
 /// True if a number of a sequence that wraps comes before another.
-const fn before(number: u32, other: u32) -> bool {
-    (number.wrapping_sub(other) as i32) < 0
+const fn before(number: u16, other: u16) -> bool {
+    (number.wrapping_sub(other) as i16) < 0
 }
 
 /// Reads of FRESET within which a FIFO is reset: a number of clocks, about as long as a read takes (34.6.4).
@@ -40,7 +40,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     ///
     /// CiFIFOCIn is read before TXEMPTYIF: if the FIFO is not empty afterwards, it was not when the index was read, and an
     /// index equal to the head means that it is full.
-    fn sent(&self, number: u8) -> u32 {
+    fn sent(&self, number: u8) -> u16 {
         let fifo = &self.fifos[usize::from(number % 32)];
         let registers = self.regs.fifo(usize::from(number % 32));
         let index = registers.ci().read().fifoci();
@@ -49,7 +49,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         }
         let depth = fifo.depth.max(1);
         let waiting = (fifo.head + depth - index % depth) % depth;
-        fifo.queued.wrapping_sub(u32::from(if waiting == 0 { depth } else { waiting }))
+        fifo.queued.wrapping_sub(u16::from(if waiting == 0 { depth } else { waiting }))
     }
 
     /// An abort that was asked for has come to its end: what was not sent is erased, so that the FIFO can be used again
@@ -108,8 +108,8 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             self.requested &= !bit;
         }
         let fifo = &mut self.fifos[usize::from(number % 32)];
-        let offset = fifo.offset_of(registers.ua().read().bits(), self.address);
-        element::write(self.ram, offset, frame);
+        let address = fifo.checked(registers.ua().read().bits(), self.base);
+        element::write(self.ram, (address - self.address) as usize, frame);
         let commands = if request { pac::FifoCon::UINC | pac::FifoCon::TXREQ } else { pac::FifoCon::UINC };
         registers.con().set_bits(commands);
         Ok(Ticket { fifo: number, number: fifo.advance() })
@@ -170,12 +170,15 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         self.aborting |= 1 << number;
     }
 
-    /// FIFOs with messages that were requested and are not sent. Destroys nothing, unlike a read of TXREQ.
+    /// FIFOs with messages that were requested and are not sent: what is requested is sent until the FIFO is empty (34.7.2).
+    /// Destroys nothing, unlike a read of TXREQ.
     pub(super) fn waiting(&self) -> u32 {
-        (0..).zip(&self.fifos).fold(0, |found, (number, fifo)| {
-            let requested = fifo.kind == Kind::Transmit && self.requested >> number & 1 == 1;
-            found | u32::from(requested && self.sent(number) != fifo.queued) << number
-        })
+        let mut waiting = 0;
+        for number in (0..32).filter(|number| self.requested >> number & 1 == 1) {
+            let empty = self.regs.fifo(number).int_().read().txemptyif();
+            waiting |= u32::from(!empty) << number;
+        }
+        waiting
     }
 }
 
@@ -196,7 +199,7 @@ impl<R: Bus, M: Bus> Can<Configuration, R, M> {
         if place.preloaded == place.depth {
             return Err(SendError::Full);
         }
-        element::write(inner.ram, place.head_offset(), frame);
+        element::write(inner.ram, (place.head_address(inner.base) - inner.address) as usize, frame);
         place.preloaded += 1;
         Ok(Ticket { fifo, number: place.advance() })
     }

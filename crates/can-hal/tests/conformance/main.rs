@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod bench;
+mod dspic33_canfd;
 mod dspic33_ecan;
 mod errors;
 mod filters;
@@ -61,6 +62,7 @@ macro_rules! conformance {
 mod on {
     conformance! {
         m_can = crate::m_can::MCan;
+        dspic33_canfd = crate::dspic33_canfd::CanFd;
         dspic33_ecan = crate::dspic33_ecan::Ecan;
         pic32_can = crate::pic32_can::Pic32;
     }

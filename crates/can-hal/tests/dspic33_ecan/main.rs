@@ -5,6 +5,7 @@
 
 mod bench;
 mod configuration;
+mod exchange;
 mod filters;
 mod interrupts;
 mod modes;

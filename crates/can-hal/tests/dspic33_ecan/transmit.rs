@@ -61,6 +61,23 @@ fn example_8_3_extended_remote_frame() {
     bench.finish();
 }
 
+/// 2.1: a message has at most eight bytes; a data length code above 8 is sent as it is (`dlc_above_8`), which the simulation
+/// reports.
+#[test]
+fn section_2_1_data_length_codes_above_8() {
+    let bench = Bench::new();
+    let other = bench.peer();
+    let mut can = bench.running(&PLAN, &CONFIG.with_queue(1));
+    for code in 9..=15 {
+        let (id, dlc) = (can_hal::StandardId::ZERO, can_hal::Dlc::new(code).unwrap());
+        let long = can_hal::Frame::data_with_dlc(id, dlc, &[code; 8]).unwrap();
+        let ticket = can.send(&long).unwrap();
+        assert_eq!(can.wait_for(ticket, DONE), Ok(Outcome::Sent));
+        assert_eq!(bench.sim.peer_received(other).last().map(|(_, frame)| *frame), Some(long));
+    }
+    assert_eq!(bench.sim.take_diagnostics().len(), 7);
+}
+
 /// 8.1: dedicated buffers go by priority, then by number: buffer 7 before buffer 0.
 #[test]
 fn section_8_1_priorities() {
@@ -262,6 +279,43 @@ fn figure_8_2_remote_request_and_response() {
     assert_eq!(node1.receive_buffer(14).map(|message| message.frame), Some(frame("123#BEEF01")));
     assert_eq!(node2.set_reply(6, &frame("123#")), Err(SendError::NoSuchBuffer { buffer: 6, count: 8 }));
     bench.finish();
+}
+
+/// 8.3.2: a request that arrives before any access of a change of the answer gets the old one, the new one or none, and no
+/// mixture.
+#[test]
+fn section_8_3_2_the_answer_changes_while_requests_arrive() {
+    let (old, new) = ("123#1111111111111111", "123#2222222222222222");
+    let filters = [Filter::new(standard(0x123), MaskSource::Mask0, FilterTarget::Buffer(7))];
+    let config = CONFIG.with_filters([Mask::STANDARD; 3], &filters).with_use(7, Use::Reply(TxPriority::Lowest));
+    for (skip, run) in (0..16).flat_map(|skip| [65, 120, 400].map(|run| (skip, Time::from_us(run)))) {
+        let bench = Bench::new();
+        let other = bench.peer();
+        let mut can = bench.configured(&PLAN, &config);
+        can.set_reply(7, &frame(old)).unwrap();
+        let mut can = can.start_normal(MODE).unwrap();
+        bench.sim.interrupt_host(skip, move |sim: &Sim| {
+            sim.peer_send(other, frame("123#R8"));
+            sim.run_for(run);
+        });
+        let changed = can.set_reply(7, &frame(new));
+        for _ in 0..skip {
+            let _ = can.status();
+        }
+        bench.sim.run_for(FRAME * 3);
+        let mut seen = bench.seen(other);
+        assert!(seen.len() <= 1 && seen.iter().all(|text| text == old || text == new), "{skip}: {seen:?}");
+        bench.send(other, &["123#R8"]);
+        bench.sim.run_for(FRAME);
+        seen = bench.seen(other);
+        let expected = match changed {
+            Ok(()) => new,
+            Err(SendError::Pending { buffer: 7 }) => old,
+            Err(error) => panic!("{error}"),
+        };
+        assert_eq!(seen.last().map(String::as_str), Some(expected), "before access {skip}, for {run}");
+        bench.finish();
+    }
 }
 
 /// 8.3.2, note: an answer whose length depends on the request is software's: the request is received like any message.

@@ -11,6 +11,7 @@ mod fifo;
 mod filters;
 mod inspect;
 mod interrupts;
+mod low_power;
 mod memory;
 mod modes;
 mod names;
@@ -39,8 +40,8 @@ pub use config::{
     UserAddress,
 };
 pub use inspect::Element;
+pub use low_power::DeviceState;
 pub use memory::SystemError;
-pub use modes::DeviceState;
 
 use names::{Fields, Named, Slots};
 

@@ -1,4 +1,4 @@
-//! Switching the module on and off, operating modes, low-power modes (34.4, 34.5, 34.14).
+//! Switching the module on and off, operating modes (34.4, 34.5).
 
 use can_wire::{ErrorState, Mode, Time};
 use pic32_can_pac::{
@@ -6,24 +6,12 @@ use pic32_can_pac::{
     registers::{self as pac, Int},
 };
 
-use super::{Pic32CanModel, config::RegistersWhileOff};
+use super::{Pic32CanModel, config::RegistersWhileOff, low_power::DeviceState};
 use crate::{
     diagnostic::DiagnosticKind,
     model::Context,
     registers::{ReadAccess, WriteAccess},
 };
-
-/// What the device does (34.14).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
-pub enum DeviceState {
-    /// The CPU runs.
-    #[default]
-    Run,
-    /// Idle mode: the CPU is stopped, the peripherals run unless they have SIDLE set.
-    Idle,
-    /// Sleep mode: the system clock is stopped.
-    Sleep,
-}
 
 /// What the modes depend on besides CiCON.
 #[derive(Clone, Debug, Default)]
@@ -38,11 +26,11 @@ pub(super) struct Modes {
     pub(super) stopped: bool,
     /// When CANBUSY falls.
     off_at: Option<Time>,
-    device: DeviceState,
+    pub(super) device: DeviceState,
     /// A message is on the bus.
     pub(super) in_message: bool,
     /// WAKFIL: the pulse that may wake the module has begun, and is long enough at this time.
-    wake_at: Option<Time>,
+    pub(super) wake_at: Option<Time>,
     /// Reads of CiCON while a request cannot take effect.
     futile_reads: u8,
 }
@@ -51,7 +39,7 @@ pub(super) struct Modes {
 const FUTILE_READS: u8 = 3;
 
 /// The mode of the node that an operating mode needs.
-const fn node_mode(mode: OperationMode) -> Mode {
+pub(super) const fn node_mode(mode: OperationMode) -> Mode {
     match mode {
         OperationMode::Configuration | OperationMode::Disable => Mode::Off,
         OperationMode::Normal | OperationMode::ListenAll => Mode::Normal,
@@ -72,15 +60,6 @@ impl Pic32CanModel {
 
     pub(super) fn in_configuration(&self) -> bool {
         self.mode() == OperationMode::Configuration
-    }
-
-    /// 34.14.3: the device is in Sleep mode, or in Idle mode with SIDLE set.
-    pub(super) fn is_sleeping(&self) -> bool {
-        match self.modes.device {
-            DeviceState::Run => false,
-            DeviceState::Idle => self.con().sidle(),
-            DeviceState::Sleep => true,
-        }
     }
 
     /// On, not stopped by an error, not sleeping.
@@ -162,7 +141,7 @@ impl Pic32CanModel {
         self.clear_flags();
     }
 
-    fn leave_bus(&mut self, cx: &mut Context<'_>) {
+    pub(super) fn leave_bus(&mut self, cx: &mut Context<'_>) {
         self.tx.forget();
         self.rx.forget();
         cx.wire.set_mode(cx.node, Mode::Off);
@@ -170,7 +149,7 @@ impl Pic32CanModel {
     }
 
     /// 34.5: a mode is requested in REQOP; OPMOD follows in step with the bus.
-    fn request_mode(&mut self, cx: &mut Context<'_>) {
+    pub(super) fn request_mode(&mut self, cx: &mut Context<'_>) {
         let Ok(target) = self.con().reqop() else {
             if self.config.choices.reserved_mode_taken && self.con().on() {
                 self.leave_bus(cx);
@@ -312,61 +291,6 @@ impl Pic32CanModel {
         self.modes.off_at = Some(cx.now + self.clocks(self.reset_clocks()));
     }
 
-    /// Changes the state of the device (34.14). The module sleeps in Sleep mode, and in Idle mode with SIDLE set.
-    pub fn set_device_state(&mut self, cx: &mut Context<'_>, state: DeviceState) {
-        let before = self.is_sleeping();
-        self.modes.device = state;
-        let sleeping = self.is_sleeping();
-        if before == sleeping {
-            return;
-        }
-        self.timer_conditions_changed(cx);
-        if !self.con().on() || self.modes.stopped {
-            return;
-        }
-        if sleeping {
-            if cx.wire.mode(cx.node) != Mode::Off {
-                let what = format!("the device goes to sleep while the module is in {:?} mode", self.mode());
-                cx.report("34.14.1, 34.14.2", DiagnosticKind::Contradiction { what });
-                // CiTX is driven recessive.
-                self.leave_bus(cx);
-            }
-            self.watch_for_activity(cx);
-        } else {
-            self.modes.wake_at = None;
-            // 34.14.3: waking up does not change the mode.
-            let mode = node_mode(self.mode());
-            if mode != Mode::Off && self.go_on_bus(cx) {
-                cx.wire.set_mode(cx.node, mode);
-            }
-            self.request_mode(cx);
-        }
-    }
-
-    /// Has the wire report the next dominant edge.
-    pub(super) fn watch_for_activity(&mut self, cx: &mut Context<'_>) {
-        let mut config = *cx.wire.config(cx.node);
-        config.wake_on_edge = true;
-        let watching = cx.wire.configure(cx.node, config);
-        debug_assert!(watching.is_ok(), "a node that is off can be configured: {watching:?}");
-    }
-
-    /// 34.14.3: bus activity. With WAKFIL only a pulse longer than the filter's counts.
-    pub(super) fn activity(&mut self, cx: &mut Context<'_>) {
-        if pac::Cfg::from_bits(self.regs.get(self.r.cfg)).wakfil() {
-            self.modes.wake_at = Some(cx.now + self.config.wake_filter);
-        } else {
-            self.wake_up();
-        }
-    }
-
-    fn wake_up(&mut self) {
-        let disabled = self.mode() == OperationMode::Disable && self.config.choices.wake_in_disable;
-        if self.is_sleeping() || disabled {
-            self.raise(Int::WAKIF);
-        }
-    }
-
     pub(super) fn modes_timer(&self) -> Option<Time> {
         [self.modes.off_at, self.modes.wake_at].into_iter().flatten().min()
     }
@@ -376,14 +300,7 @@ impl Pic32CanModel {
             self.modes.off_at = None;
             self.regs.set_field(self.f.canbusy, 0);
         }
-        if self.modes.wake_at.is_some_and(|at| at <= cx.now) {
-            self.modes.wake_at = None;
-            if cx.wire.rx_level(cx.node) == can_wire::Level::Dominant {
-                self.wake_up();
-            } else {
-                self.watch_for_activity(cx);
-            }
-        }
+        self.pulse_lasted(cx);
     }
 
     /// `canbusy_while_idle`.
@@ -413,11 +330,5 @@ impl Pic32CanModel {
     /// The time of a number of system clocks.
     pub(super) fn clocks(&self, clocks: u32) -> Time {
         Time::from_ps(u64::from(clocks) * 1_000_000_000_000 / u64::from(self.config.place.clock_hz.max(1)))
-    }
-
-    /// The state of the device.
-    #[must_use]
-    pub const fn device_state(&self) -> DeviceState {
-        self.modes.device
     }
 }

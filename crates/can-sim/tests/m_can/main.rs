@@ -4,6 +4,7 @@
 mod bench;
 mod choices;
 mod counters;
+mod details;
 mod exchange;
 mod fd;
 mod fuzz;

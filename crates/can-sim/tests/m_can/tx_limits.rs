@@ -264,3 +264,27 @@ fn section_2_4_3_unused_bits() {
     b.can.request(&b.sim, 1);
     assert_eq!(b.sent(), ["123#11"]);
 }
+
+/// `tx_fifo_empty_flag`: only the Tx FIFO's own last message sets TFE; dedicated buffers, cancellations of what is not
+/// pending, and configuration do not.
+#[test]
+fn section_2_3_16_tx_fifo_empty() {
+    let b = bench(&SETUP);
+    let empty = || {
+        let flag = b.can.ir(&b.sim).contains(Ir::TFE);
+        b.can.clear(&b.sim);
+        flag
+    };
+    assert!(!empty(), "by configuration");
+    b.can.send(&b.sim, 0, &frame("100#"));
+    assert_eq!((b.sent().len(), empty()), (1, false), "a dedicated buffer");
+    b.can.cancel(&b.sim, 0b1_1111);
+    assert!(!empty(), "nothing was pending");
+    for buffer in 2..4 {
+        b.can.write(&b.sim, buffer, &frame("100#1122334455667788"));
+    }
+    b.can.request(&b.sim, 0b1100);
+    b.sim.run_until(FRAME, |_| b.regs().txbto().read().bits() & 4 != 0).unwrap();
+    assert!(!empty(), "one is left");
+    assert_eq!((b.sent().len(), empty()), (3, true));
+}

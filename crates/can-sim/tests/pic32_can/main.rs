@@ -3,6 +3,7 @@
 
 mod bench;
 mod choices;
+mod choices_reception;
 mod errors;
 mod exchange;
 mod fifo;

@@ -95,10 +95,10 @@ impl FrameCapture {
             self.node(out, *node, &name, top, end, &scale);
         }
         if !picture.bare {
-            let _ = write!(
+            let _ = writeln!(
                 out,
                 "<text class=\"small\" x=\"8\" y=\"{:.0}\">high is recessive; blue: driven, green: seen; ticks: sample \
-                 points; violet: stuff bits; red: injected faults; yellow fields: data bit rate</text>\n",
+                 points; violet: stuff bits; red: injected faults; yellow fields: data bit rate</text>",
                 height - 8.0
             );
         }

@@ -1,9 +1,9 @@
-//! ECAN and PIC32MX CAN through the common traits.
+//! PIC32MX CAN through the common traits.
 //!
 //! No `quiet` lines yet: range checks of fields and indices, which never fail here, are left in their code.
 
 use can_frame::Frame;
-use can_hal::{Receive, Transmit, dspic33_ecan, mode::Running, pic32_can};
+use can_hal::{Receive, Transmit, mode::Running, pic32_can};
 use m_can_pac::Mmio;
 
 fn fetch(can: &mut impl Receive, out: &mut Frame) -> bool {
@@ -14,16 +14,6 @@ fn fetch(can: &mut impl Receive, out: &mut Frame) -> bool {
         }
         _ => false,
     }
-}
-
-#[unsafe(no_mangle)]
-pub fn hal_ecan_send(can: &mut dspic33_ecan::Can<Running, Mmio>, frame: &Frame) -> bool {
-    can.send(frame).is_ok()
-}
-
-#[unsafe(no_mangle)]
-pub fn hal_ecan_fetch(can: &mut dspic33_ecan::Can<Running, Mmio>, out: &mut Frame) -> bool {
-    fetch(can, out)
 }
 
 #[unsafe(no_mangle)]
