@@ -9,4 +9,4 @@ mod dspic33_ecan;
 mod dspic33_ecan_by_hand;
 mod m_can;
 mod m_can_by_hand;
-mod others;
+mod pic32_can;
