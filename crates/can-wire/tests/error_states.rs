@@ -22,11 +22,7 @@ fn a_fault_on_the_output_ends_with_its_bit_also_if_the_node_is_switched_off_in_i
     wire.set_mode(a, Mode::Off);
     assert!(!wire.bus_level().is_dominant());
     run(&mut wire, Time::from_us(200));
-    assert_eq!(
-        wire.error_counters(b),
-        (0, 0),
-        "one wrong bit is no error for the receiver until the frame is cut short"
-    );
+    assert_eq!(wire.error_counters(b), (0, 1), "a frame that is cut short is one error for its receiver");
 }
 
 // Rule i: error passive above 127, and the error that makes it so is still signalled with an active flag.

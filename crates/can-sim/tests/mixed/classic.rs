@@ -203,7 +203,7 @@ fn bus(sim: &Sim) -> [Box<dyn Driver>; NODES] {
 
 /// Every node sends its frames to all others. The plain node also asks for the replies, one at a time.
 fn exchange(noise: f64) -> usize {
-    let sim = Sim::builder().log_limit(200_000).build();
+    let sim = Sim::builder().log_limit(1_000_000).build();
     let nodes = bus(&sim);
     sim.with_wire(|wire| {
         let ids: Vec<_> = wire.nodes().collect();
