@@ -46,12 +46,12 @@ impl Inbox {
     }
 }
 
-/// ISO 11898-1:2015, 10.7: a receiver takes a message at the last but one bit of EOF, its transmitter counts an error in the
-/// last one as well and sends again. Only then does a message come twice.
+/// ISO 11898-1:2015, 10.7: receivers take a message at the last but one bit of EOF. A transmitter that sees an error in this
+/// bit or in the last one sends again. Only then does a message come twice.
 fn errors_after_acceptance(sim: &Sim) -> usize {
     let late = |entry: &BusEntry| match entry {
         BusEntry::Error { error, .. } => {
-            error.position.field == Field::Eof && error.position.bit == 6 && error.role == Role::Transmitter
+            error.position.field == Field::Eof && error.position.bit >= 5 && error.role == Role::Transmitter
         }
         _ => false,
     };
