@@ -3,8 +3,7 @@
 mod dspic33_canfd;
 mod m_can;
 
-use can_frame::Frame;
-use can_hal::{Events, InterruptSet as _, Outcome, Polls, Status, Transmit, timing::BitTiming};
+use can_hal::{Events, InterruptSet as _, Transmit, timing::BitTiming};
 use can_sim::Sim;
 use can_wire::NodeId;
 use regbus::meta;
@@ -21,8 +20,8 @@ pub const MODE_POLLS: u32 = 1_000;
 pub trait Station: Copy {
     /// Its driver before it is on the bus.
     type Configured<'a>;
-    /// Its driver.
-    type Driver<'a>: Driver;
+    /// Its driver on the bus: any of the HAL will do.
+    type Driver<'a>: Transmit;
     /// The description of its registers.
     const META: &'static meta::Controller;
     /// Its clock in hertz.
@@ -60,70 +59,21 @@ pub trait Station: Copy {
     /// [`Error::TimedOut`] if it does not follow.
     fn start<'a>(can: Self::Configured<'a>) -> Result<Self::Driver<'a>, Error>;
 
+    /// Takes note of the interrupt flags and clears them.
+    ///
+    /// # Errors
+    /// [`Error::Setup`] if the controller has lost some of what it should tell.
+    fn take_events(can: &mut Self::Driver<'_>) -> Result<Events, Error> {
+        Ok(take_events(can))
+    }
+
     /// Enables or disables the interrupt for single errors, which a node that recovers from bus off may raise all the time.
     fn report_errors(can: &mut Self::Driver<'_>, on: bool);
 }
 
-/// What the story asks of a driver.
-pub trait Driver {
-    /// Stands for a frame that is to be sent.
-    type Ticket: Copy;
-
-    /// Reads the interrupt flags and clears them.
-    fn take_events(&mut self) -> Events;
-
-    /// The oldest message.
-    ///
-    /// # Errors
-    /// [`Error::Setup`] if messages were lost.
-    fn fetch(&mut self) -> Result<Option<Frame>, Error>;
-
-    /// One look at the status registers.
-    fn status(&mut self) -> Status;
-
-    /// Gives the controller a frame.
-    ///
-    /// # Errors
-    /// [`Error::Send`] if it takes none now.
-    fn send(&mut self, frame: &Frame) -> Result<Self::Ticket, Error>;
-
-    /// The frame is still to be sent.
-    fn is_pending(&mut self, ticket: Self::Ticket) -> bool;
-
-    /// Begins to come back from bus off.
-    ///
-    /// # Errors
-    /// [`Error::TimedOut`] if the controller does not follow.
-    fn restart(&mut self) -> Result<(), Error>;
-}
-
-/// Every driver of the HAL will do.
-impl<C: Transmit> Driver for C {
-    type Ticket = C::Ticket;
-
-    fn take_events(&mut self) -> Events {
-        let flags = self.interrupts();
-        self.clear(flags);
-        flags.events()
-    }
-
-    fn fetch(&mut self) -> Result<Option<Frame>, Error> {
-        Ok(can_hal::Receive::fetch(self).map_err(Error::setup)?.map(|message| message.frame))
-    }
-
-    fn status(&mut self) -> Status {
-        can_hal::Receive::status(self)
-    }
-
-    fn send(&mut self, frame: &Frame) -> Result<Self::Ticket, Error> {
-        Transmit::send(self, frame).map_err(Error::Send)
-    }
-
-    fn is_pending(&mut self, ticket: Self::Ticket) -> bool {
-        self.outcome(ticket) == Outcome::Pending
-    }
-
-    fn restart(&mut self) -> Result<(), Error> {
-        Transmit::restart(self, Polls(MODE_POLLS)).map_err(|_| Error::TimedOut("to recover from bus off"))
-    }
+/// Reads the interrupt flags and clears them.
+fn take_events(can: &mut impl Transmit) -> Events {
+    let flags = can.interrupts();
+    can.clear(flags);
+    flags.events()
 }

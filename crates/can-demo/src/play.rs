@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use can_frame::Frame;
 use can_hal::{
-    ErrorState, Events, RestartAfter, Status,
+    ErrorState, Events, Outcome, Polls, Receive as _, RestartAfter, Status, Transmit,
     timing::{BitTiming, Request, Segments},
 };
 use can_sim::Sim;
@@ -12,7 +12,7 @@ use can_wire::{BitFault, Fault, Field, Frames, NodeConfig, NodeId, Position, Tim
 
 use crate::{
     Error, Story,
-    controllers::{Driver, Station},
+    controllers::{MODE_POLLS, Station},
     story::{Act, Deed, Injected, Node, Step},
 };
 
@@ -71,7 +71,7 @@ struct Actor<'a, S: Station> {
     node: usize,
     station: S,
     can: S::Driver<'a>,
-    pending: Vec<(<S::Driver<'a> as Driver>::Ticket, Frame)>,
+    pending: Vec<(<S::Driver<'a> as Transmit>::Ticket, Frame)>,
     sent: u32,
     status: Option<Status>,
 }
@@ -79,16 +79,16 @@ struct Actor<'a, S: Station> {
 impl<S: Station> Actor<'_, S> {
     /// The interrupt handler.
     fn serve(&mut self) -> Result<Deed, Error> {
-        let events = self.can.take_events();
+        let events = S::take_events(&mut self.can)?;
         let mut received = Vec::new();
-        while let Some(frame) = self.can.fetch()? {
-            received.push(frame);
+        while let Some(message) = self.can.fetch().map_err(Error::setup)? {
+            received.push(message.frame);
         }
         let mut sent = Vec::new();
         if events.contains(Events::TRANSMITTED) {
             let (can, done) = (&mut self.can, &mut sent);
             self.pending.retain(|(ticket, frame)| {
-                let pending = can.is_pending(*ticket);
+                let pending = can.outcome(*ticket) == Outcome::Pending;
                 if !pending {
                     done.push(*frame);
                 }
@@ -103,7 +103,7 @@ impl<S: Station> Actor<'_, S> {
     }
 
     fn send(&mut self, frame: Frame) -> Result<Deed, Error> {
-        let ticket = self.can.send(&frame)?;
+        let ticket = self.can.send(&frame).map_err(Error::Send)?;
         self.pending.push((ticket, frame));
         Ok(Deed::Sent(frame))
     }
@@ -354,7 +354,8 @@ fn script<A: Station, B: Station>(stage: &mut Stage<'_, A, B>, display: &str) ->
         let bus_off = stage.motor.is(ErrorState::BusOff);
         let begin = stage.sim.now();
         if policy.due(bus_off, begin.as_ps()) {
-            stage.motor.can.restart()?;
+            let begun = stage.motor.can.restart(Polls(MODE_POLLS));
+            begun.map_err(|_| Error::TimedOut("to recover from bus off"))?;
             note(stage.sim, &mut stage.steps, MOTOR, begin, Deed::Restarted);
         }
         stage.serve_until(now + TICK)?;
