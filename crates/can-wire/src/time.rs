@@ -147,16 +147,6 @@ impl Fine {
     pub(crate) fn checked_since(self, earlier: Fine) -> Option<u128> {
         self.0.checked_sub(earlier.0)
     }
-
-    /// What is left over after the whole ticks of [`Fine::ticks_since`], in units of 2^-32 ps.
-    #[inline]
-    pub(crate) fn rest_since(self, start: Fine, tick: Tick) -> u64 {
-        let span = self.0.saturating_sub(start.0);
-        match u64::try_from(span) {
-            Ok(span) => span % tick.0,
-            Err(_) => (span % u128::from(tick.0)) as u64,
-        }
-    }
 }
 
 /// The length of a clock period or time quantum in units of 2^-32 ps.
@@ -202,7 +192,6 @@ mod tests {
         let start = Fine::from_time(Time::from_ns(50));
         let later = Fine::from_time(Time::from_ns(399));
         assert_eq!(later.ticks_since(start, tick), 3);
-        assert_eq!(later.rest_since(start, tick), 49_000 * Tick::PICOSECOND);
         assert_eq!(start.ticks_since(later, tick), 0);
     }
 }

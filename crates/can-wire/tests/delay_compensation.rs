@@ -63,9 +63,9 @@ fn compensation_measures_the_delay_and_samples_late() {
     assert_eq!(measured(&events), Some((8, 14)));
     assert!(errors(&events).is_empty());
     assert_eq!(common::received(&events, nodes[1]), [frame(FD_FRAME)]);
-    // The result is counted up to a whole period.
-    let odd = NodeConfig { rx_delay: Time::from_ps(100_001), ..delayed(Some(DelayCompensation::measured(5))) };
-    assert_eq!(measured(&outcome(odd).0), Some((9, 14)));
+    // A part of a period does not count.
+    let odd = NodeConfig { rx_delay: Time::from_ps(124_999), ..delayed(Some(DelayCompensation::measured(5))) };
+    assert_eq!(measured(&outcome(odd).0), Some((8, 13)));
     // Software may know it.
     let fixed = DelayCompensation { delay: DelaySource::Fixed(8), offset: 6, limit: 127 };
     let (events, ..) = outcome(delayed(Some(fixed)));
@@ -130,6 +130,6 @@ fn a_filter_window_keeps_glitches_from_ending_the_measurement() {
         wire.send(nodes[0], frame(FD_FRAME)).unwrap();
         measured(&run(&mut wire, Time::from_us(200))).unwrap()
     };
-    assert_eq!(run_with(0), (3, 9), "the glitch 60 ns after the edge was taken for it");
+    assert_eq!(run_with(0), (2, 8), "the glitch 60 ns after the edge was taken for it");
     assert_eq!(run_with(10), (8, 14));
 }

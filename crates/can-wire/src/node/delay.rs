@@ -4,14 +4,14 @@ use super::{Late, Node};
 use crate::{DelayCompensation, DelaySource, EventKind, Field, Level, Position, Time, protocol::Context, time::Fine};
 
 impl Node {
-    /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, in whole clock periods.
+    /// ISO 11898-1:2015, 11.3.3: from the falling edge at the output to that at the input, rounded down to whole
+    /// clock periods.
     pub(super) fn measure(&mut self, fell: Fine, at: Time) {
         let Some(compensation) = self.config.delay_compensation else {
             return;
         };
         let at = Fine::from_time(at);
-        let mut delay = at.ticks_since(fell, self.clock.clock);
-        delay += u64::from(at.rest_since(fell, self.clock.clock) > 0);
+        let delay = at.ticks_since(fell, self.clock.clock);
         if let DelaySource::Measured { filter } = compensation.delay
             && compensation.secondary_sample_point(delay) < u64::from(filter)
         {

@@ -410,7 +410,7 @@ fn transmitter_delay(node: &Node, plan: &Plan) -> Option<Option<u64>> {
             let fell = plan.course.start(plan.sof, res);
             let back = Fine::from_time(Time::from_ps(fell.ceil() + loop_delay));
             let clock = node.clock.clock;
-            let delay = back.ticks_since(fell, clock) + u64::from(back.rest_since(fell, clock) > 0);
+            let delay = back.ticks_since(fell, clock);
             if compensation.secondary_sample_point(delay) < u64::from(filter) {
                 return None;
             }
