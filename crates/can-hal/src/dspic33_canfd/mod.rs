@@ -64,7 +64,7 @@ mod tx_event;
 
 use core::{fmt, marker::PhantomData};
 
-use dspic33_canfd_pac::{Dspic33Canfd, Mmio, registers as pac};
+use dspic33_canfd_pac::{Dspic33Canfd, Fifo, Mmio, registers as pac};
 use regbus::Bus;
 
 use crate::{Deadline, Region, deadline::wait, error::Refused, memory::DsPic33CanFdPlan, mode::Configuration};
@@ -166,6 +166,14 @@ impl<S, R: Bus, M: Bus> Can<S, R, M> {
 
     pub(crate) const fn blocking_polls(&self) -> u32 {
         self.inner.blocking_polls
+    }
+}
+
+impl<R: Bus, M: Bus> Inner<R, M> {
+    /// The registers of a FIFO, 1 to 31. The bounds never act; they tell the compiler that there is such a FIFO.
+    #[inline]
+    fn fifo(&self, number: u8) -> Fifo<R> {
+        self.regs.fifo(usize::from(number % 32).max(1))
     }
 }
 

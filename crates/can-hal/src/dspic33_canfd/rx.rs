@@ -29,7 +29,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     /// 9.1.1: reads the object at the user address and releases it.
     #[inline]
     pub(super) fn receive(&mut self, number: u8) -> Result<Option<RxMessage>, Overflow> {
-        let fifo = self.regs.fifo(usize::from(number));
+        let fifo = self.fifo(number);
         let status = fifo.sta().read();
         if status.rxovif() {
             // 12.1.4
@@ -48,7 +48,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     /// Table 9-1.
     #[inline]
     fn read_object(&self, number: u8, at: usize) -> RxMessage {
-        let section = self.layout.objects[usize::from(number)];
+        let section = self.layout.objects[usize::from(number) % 32];
         let object = RxObject::new(self.ram, at);
         let (r0, r1, r2) = (object.r0().read(), object.r1().read(), object.r2().read());
         let timestamp = section.stamped().then(|| RxObjectTs::new(self.ram, at).read_rxmsgts());

@@ -181,7 +181,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
             let status = self.regs.txqsta().read();
             State { requested, empty: status.txqeif(), room: status.txqnif(), index: status.txqci() }
         } else {
-            let fifo = self.regs.fifo(usize::from(number));
+            let fifo = self.fifo(number);
             let requested = fifo.con_l().read().txreq();
             let status = fifo.sta().read();
             State { requested, empty: status.tferffif(), room: status.tfnrfnif(), index: status.fifoci() }
@@ -191,7 +191,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
     /// The object to be filled next.
     #[inline]
     fn head(&self, number: u8) -> u8 {
-        let address = if number == 0 { self.regs.read_txqua() } else { self.regs.fifo(usize::from(number)).read_ua() };
+        let address = if number == 0 { self.regs.read_txqua() } else { self.fifo(number).read_ua() };
         self.layout.objects[usize::from(number) % 32].index(self.offset(address))
     }
 
@@ -204,7 +204,7 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         } else {
             let control = self.fifo_control(number);
             let control = control.with_uinc(uinc).with_txreq(txreq).with_freset(freset);
-            self.regs.fifo(usize::from(number)).con_l().write(control);
+            self.fifo(number).con_l().write(control);
         }
     }
 
@@ -279,12 +279,12 @@ impl<R: Bus, M: Bus> Inner<R, M> {
         self.command(number, false, false, true);
         let _done = wait(&mut Polls(SETTLE), || match number {
             0 => !self.regs.txqcon_l().read().freset(),
-            _ => !self.regs.fifo(usize::from(number)).con_l().read().freset(),
+            _ => !self.fifo(number).con_l().read().freset(),
         });
         if number == 0 {
             self.regs.txqsta().clear(pac::Txqsta::TXATIF);
         } else {
-            self.regs.fifo(usize::from(number)).sta().clear(pac::FifoSta::TXATIF);
+            self.fifo(number).sta().clear(pac::FifoSta::TXATIF);
         }
     }
 

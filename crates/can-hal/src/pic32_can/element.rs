@@ -2,7 +2,7 @@
 
 use can_frame::{Dlc, ExtendedId, Format, Frame, Id, StandardId};
 use pic32_can_pac::{
-    enums::{DataLength, FrameType, IdentifierType},
+    enums::{FrameType, IdentifierType},
     messages::{RxBuffer, TxBuffer, TxBufferCmsgeid, TxBufferCmsgsid},
 };
 use regbus::Bus;
@@ -14,7 +14,8 @@ use super::{RxMessage, filter::split};
 pub(super) fn write<M: Bus>(ram: M, offset: usize, frame: &Frame) {
     let buffer = TxBuffer::new(ram, offset);
     let kind = if frame.is_remote() { FrameType::RemoteFrame } else { FrameType::DataFrame };
-    let word = TxBufferCmsgeid::ZERO.with_rtr(kind).with_dlc(DataLength::from_bits(frame.dlc().code()));
+    // DLC stands in the lowest bits; its setter has a check that never fails here.
+    let word = TxBufferCmsgeid::from_bits(u32::from(frame.dlc().code() & 0xF)).with_rtr(kind);
     // The bounds never act; they tell the compiler that the values fit their fields.
     let (sid, word) = match frame.id() {
         Id::Standard(id) => (id.as_raw() & StandardId::MAX.as_raw(), word),
@@ -26,8 +27,9 @@ pub(super) fn write<M: Bus>(ram: M, offset: usize, frame: &Frame) {
     buffer.cmsgsid().write(TxBufferCmsgsid::ZERO.with_sid(sid));
     buffer.cmsgeid().write(word);
     let mut data = [0; 8];
-    let len = frame.len().min(data.len());
-    data[..len].copy_from_slice(&frame.data_bytes()[..len]);
+    for (to, from) in data.iter_mut().zip(frame.data_bytes()) {
+        *to = *from;
+    }
     buffer.payload().write(&data, 0);
 }
 
@@ -45,7 +47,7 @@ pub(super) fn read<M: Bus>(ram: M, offset: usize, stamped: bool) -> RxMessage {
     };
     let remote = eid.rtr() == FrameType::RemoteFrame || (standard && eid.srr());
     let format = if remote { Format::Remote } else { Format::Data };
-    let frame = Frame::read_with(id, format, Dlc::from_low_bits(eid.dlc().bits()), |data| {
+    let frame = Frame::read_with(id, format, Dlc::from_low_bits(eid.bits() as u8), |data| {
         buffer.payload().read(data);
     });
     RxMessage { frame, filter: sid.filhit().bits(), timestamp: stamped.then(|| sid.cmsgts()) }

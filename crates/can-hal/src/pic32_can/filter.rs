@@ -114,6 +114,7 @@ impl Filter {
 }
 
 /// SID and EID of a 29-bit identifier: its upper 11 and its lower 18 bits.
+#[inline]
 pub(super) fn split(id: ExtendedId) -> (u16, u32) {
     ((id.as_raw() >> 18) as u16 & 0x7FF, id.as_raw() & 0x3_FFFF)
 }
