@@ -36,6 +36,19 @@ fn the_mistake_is_reported_as_printed() {
     assert!(report.contains(printed.trim_end()), "{report}");
 }
 
+/// The excerpt of the demo is what the demo's own snapshot says.
+#[test]
+fn the_demo_is_as_printed() {
+    let snapshot = root().join("crates/can-demo/tests/snapshots/story__the_timeline.snap");
+    let told = fs::read_to_string(snapshot).expect("the demo has a snapshot");
+    let printed =
+        blocks("text").into_iter().find(|text| text.contains("One CAN bus")).expect("the README shows the demo");
+    assert!(printed.lines().count() > 5);
+    for line in printed.lines() {
+        assert!(told.lines().any(|of_demo| of_demo == line), "the demo does not print `{line}`");
+    }
+}
+
 #[test]
 fn the_c_compiles() {
     let folder = tempfile::tempdir().expect("a folder for the object");
