@@ -11,3 +11,4 @@ mod dspic33_ecan_by_hand;
 mod m_can;
 mod m_can_by_hand;
 mod pic32_can;
+mod pic32_can_by_hand;

@@ -13,7 +13,7 @@ use can_hal::{
 use m_can_pac::Mmio;
 
 const RAM_BYTES: u32 = 0x400;
-const TIMING: Pic32CanTiming = Pic32CanTiming::fixed(&Request::new(80_000_000, 500_000));
+pub const TIMING: Pic32CanTiming = Pic32CanTiming::fixed(&Request::new(80_000_000, 500_000));
 const PLAN: Pic32CanPlan = Pic32CanMemory::new(0, RAM_BYTES)
     .fifo(0, Pic32CanFifo::Transmit { elements: 4 })
     .fifo(1, Pic32CanFifo::Receive { elements: 8 })
