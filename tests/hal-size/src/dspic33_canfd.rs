@@ -12,9 +12,9 @@ use can_hal::{
 };
 use dspic33_canfd_pac::Mmio;
 
-const RAM: u32 = 0x1000;
+pub const RAM: u32 = 0x1000;
 const RAM_BYTES: u32 = 0x1000;
-const TIMING: DsPic33CanFdTiming = DsPic33CanFdTiming::fixed(&Request::new(40_000_000, 500_000).data(2_000_000));
+pub const TIMING: DsPic33CanFdTiming = DsPic33CanFdTiming::fixed(&Request::new(40_000_000, 500_000).data(2_000_000));
 const PLAN: DsPic33CanFdPlan = DsPic33CanFdMemory::new(RAM, RAM_BYTES)
     .fifo(1, DsPic33CanFdFifo::Receive { elements: 8, payload: PayloadSize::Bytes64, timestamps: false })
     .fifo(2, DsPic33CanFdFifo::Transmit { elements: 8, payload: PayloadSize::Bytes64 })

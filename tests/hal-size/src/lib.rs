@@ -6,6 +6,7 @@
 #![allow(missing_docs, unsafe_code, clippy::missing_safety_doc)]
 
 mod dspic33_canfd;
+mod dspic33_canfd_by_hand;
 mod dspic33_ecan;
 mod dspic33_ecan_by_hand;
 mod m_can;
