@@ -42,7 +42,7 @@ pub const PANEL: usize = 1;
 /// A node without registers, so that the panel has somebody to acknowledge its frames.
 pub const LOGGER: usize = 2;
 
-/// The bit that is disturbed: a recessive one, in the third byte of [`SPEED`].
+/// The bit that is disturbed: a recessive one, in the third byte of `SPEED`.
 pub const VICTIM: Position = Position::new(Field::Data, 20);
 /// Names of the nodes.
 const NAMES: [&str; 3] = ["motor", "panel", "logger"];
